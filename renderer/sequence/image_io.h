@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images to and from files, through OpenImageIO.
+#pragma once
+
+#include "renderer/core/image.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pfseq {
+
+using Bytes = std::vector<std::byte>;
+
+/// PNG of an 8-bit image of 1, 3 or 4 channels.
+Bytes EncodePng(const Image<uint8_t>& image);
+
+/// OpenEXR, float32, single-part scanlines, ZIP; one channel is named Y, three are R, G, B.
+Bytes EncodeExrFloat(const Image<float>& image);
+
+/// The same with half-float values; finite values are clamped to the range of half.
+Bytes EncodeExrHalf(const Image<float>& image);
+
+/// Any 8-bit image file, with the channels it has. InputError that names `path` and the fault when
+/// it is missing, truncated, or not of 8 bits a channel.
+Image<uint8_t> ReadImage8(const std::filesystem::path& path);
+
+/// An OpenEXR file of float or half values. InputError as above.
+Image<float> ReadExr(const std::filesystem::path& path);
+
+/// An 8-bit image in memory (PNG, JPEG, ...) as 4 channels; 16-bit sources are reduced. InputError
+/// with `origin`.
+Image<uint8_t> DecodeImage8Rgba(std::span<const std::byte> bytes, const std::string& origin);
+
+}  // namespace pfseq

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures behind glass and on boards: the atlases of canyon_textures.h.
+#include "renderer/core/random.h"
+#include "scenes/canyon/canyon_textures.h"
+#include "scenes/canyon/pixel_font.h"
+#include "scenes/canyon/texture_noise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace pfseq {
+namespace {
+
+/// A rectangle of texels that is painted in its own unit coordinates, y downwards.
+class Picture {
+ public:
+  Picture(Image<uint8_t>& texels, int left_px, int top_px, int width_px, int height_px)
+      : texels_(texels), left_(left_px), top_(top_px), width_(width_px), height_(height_px) {}
+
+  /// Replaces the colours in [x0, x1] x [y0, y1] by `color(x, y)`.
+  template <typename ColorAt>
+  void Fill(double x0, double y0, double x1, double y1, const ColorAt& color) {
+    const int left = std::clamp(static_cast<int>(std::lround(x0 * width_)), 0, width_);
+    const int right = std::clamp(static_cast<int>(std::lround(x1 * width_)), 0, width_);
+    const int top = std::clamp(static_cast<int>(std::lround(y0 * height_)), 0, height_);
+    const int bottom = std::clamp(static_cast<int>(std::lround(y1 * height_)), 0, height_);
+    for (int y = top; y < bottom; ++y) {
+      for (int x = left; x < right; ++x) {
+        const Rgb value = color((x + 0.5) / width_, (y + 0.5) / height_);
+        for (int channel = 0; channel < 3; ++channel) {
+          texels_.At(left_ + x, top_ + y, channel) =
+              static_cast<uint8_t>(std::lround(std::clamp(value[channel], 0.0F, 1.0F) * 255.0F));
+        }
+        texels_.At(left_ + x, top_ + y, 3) = 255;
+      }
+    }
+  }
+
+  void FillFlat(double x0, double y0, double x1, double y1, const Rgb& color) {
+    Fill(x0, y0, x1, y1, [&](double, double) { return color; });
+  }
+
+ private:
+  Image<uint8_t>& texels_;
+  int left_;
+  int top_;
+  int width_;
+  int height_;
+};
+
+Rgb Gray(double value) { return Rgb::Constant(static_cast<float>(value)); }
+
+/// The room: darker to the depth, a lighter ceiling, something pale on the back wall here and
+/// there.
+void PaintRoom(RandomStream& random, Picture& picture) {
+  const double base = random.Uniform(0.05, 0.13);
+  const double ceiling_light = random.Uniform(0.15, 0.4);
+  picture.Fill(0, 0, 1, 1, [&](double x, double y) {
+    const double ceiling = std::max(0.0, 0.30 - y) * ceiling_light;
+    const double value = base + ceiling + 0.03 * std::abs(x - 0.5);
+    return Rgb(
+        static_cast<float>(value), static_cast<float>(value), static_cast<float>(value * 1.08));
+  });
+  for (int i = random.Integer(0, 2); i > 0; --i) {
+    const double x = random.Uniform(0.1, 0.8);
+    const double y = random.Uniform(0.45, 0.8);
+    picture.FillFlat(x,
+                     y,
+                     x + random.Uniform(0.06, 0.2),
+                     y + random.Uniform(0.08, 0.2),
+                     Gray(random.Uniform(0.12, 0.28)));
+  }
+}
+
+Rgb CurtainColor(RandomStream& random) {
+  constexpr std::array<std::array<float, 3>, 6> kColors = {{{0.78F, 0.76F, 0.70F},
+                                                            {0.70F, 0.68F, 0.64F},
+                                                            {0.82F, 0.80F, 0.78F},
+                                                            {0.60F, 0.52F, 0.42F},
+                                                            {0.48F, 0.28F, 0.24F},
+                                                            {0.38F, 0.42F, 0.46F}}};
+  const auto& color = kColors[static_cast<size_t>(random.Integer(0, 5))];
+  return {color[0], color[1], color[2]};
+}
+
+void PaintCurtain(double x0, double x1, RandomStream& random, Picture& picture, const Rgb& color) {
+  const double folds = random.Uniform(18.0, 34.0);
+  const double phase = random.Uniform(0.0, 6.0);
+  picture.Fill(x0, 0.0, x1, 1.0, [&](double x, double y) {
+    const double fold =
+        0.80 + 0.14 * std::sin(folds * x + phase) + 0.06 * std::sin(2.7 * folds * x);
+    return Rgb(color * static_cast<float>(fold * (0.92 - 0.12 * y)));
+  });
+}
+
+void PaintInterior(RandomStream& random, Picture& picture) {
+  PaintRoom(random, picture);
+  const double kind = random.Uniform();
+  const Rgb color = CurtainColor(random);
+  if (kind < 0.34) {
+    const double width = random.Uniform(0.10, 0.30);
+    PaintCurtain(0.0, width, random, picture, color);
+    PaintCurtain(1.0 - random.Uniform(0.8, 1.2) * width, 1.0, random, picture, color);
+  } else if (kind < 0.46) {
+    PaintCurtain(0.0, 1.0, random, picture, Rgb(color * 0.8F));
+  } else if (kind < 0.72) {
+    const double drop = random.Uniform(0.12, 0.85);
+    picture.Fill(0.0, 0.0, 1.0, drop, [&](double, double y) {
+      return Rgb(color * static_cast<float>(0.86 + 0.08 * std::sin(160.0 * y)));
+    });
+  } else if (kind < 0.80) {
+    picture.FillFlat(0.08, 0.74, 0.30, 1.0, Rgb(0.10F, 0.20F, 0.09F));
+    picture.FillFlat(0.62, 0.82, 0.80, 1.0, Rgb(0.14F, 0.24F, 0.10F));
+  }
+}
+
+/// A casement of two wings with a transom light.
+void PaintFrame(Picture& picture) {
+  const Rgb paint(0.82F, 0.81F, 0.78F);
+  const Rgb shade(0.30F, 0.30F, 0.30F);
+  constexpr double kBar = 0.055;
+  const auto bar = [&](double x0, double y0, double x1, double y1) {
+    picture.FillFlat(x0 - 0.012, y0 - 0.010, x1 + 0.012, y1 + 0.014, shade);
+    picture.FillFlat(x0, y0, x1, y1, paint);
+  };
+  bar(0.5 - 0.6 * kBar, 0.0, 0.5 + 0.6 * kBar, 1.0);
+  bar(0.0, 0.27, 1.0, 0.27 + 0.7 * kBar);
+  bar(0.0, 0.0, kBar, 1.0);
+  bar(1.0 - kBar, 0.0, 1.0, 1.0);
+  bar(0.0, 0.0, 1.0, 0.8 * kBar);
+  bar(0.0, 1.0 - kBar, 1.0, 1.0);
+}
+
+void PaintShop(RandomStream& random, Picture& picture) {
+  const double light = random.Uniform(0.16, 0.34);
+  picture.Fill(0, 0, 1, 1, [&](double x, double y) {
+    const double value = light * (1.1 - 0.5 * y) * (0.85 + 0.3 * std::abs(x - 0.5));
+    return Rgb(static_cast<float>(value * 1.06),
+               static_cast<float>(value),
+               static_cast<float>(value * 0.88));
+  });
+  for (int lamp = 0; lamp < 5; ++lamp) {
+    const double x = 0.1 + 0.2 * lamp + random.Uniform(-0.03, 0.03);
+    picture.FillFlat(x - 0.015, 0.05, x + 0.015, 0.07, Rgb(1.0F, 0.95F, 0.8F));
+  }
+  // Shelves on the back wall, goods on them, and the display in front.
+  for (int shelf = 0; shelf < 4; ++shelf) {
+    const double y = 0.24 + 0.15 * shelf;
+    double x = random.Uniform(0.03, 0.1);
+    while (x < 0.94) {
+      const double width = random.Uniform(0.02, 0.07);
+      const double height = random.Uniform(0.04, 0.11);
+      const Rgb goods(static_cast<float>(random.Uniform(0.15, 0.7)),
+                      static_cast<float>(random.Uniform(0.12, 0.6)),
+                      static_cast<float>(random.Uniform(0.1, 0.55)));
+      picture.FillFlat(x, y - height, x + width, y, Rgb(goods * 0.7F));
+      x += width + random.Uniform(0.004, 0.05);
+    }
+    picture.FillFlat(0.02, y, 0.98, y + 0.012, Gray(0.42));
+  }
+  for (int item = 0; item < 4; ++item) {
+    const double x = random.Uniform(0.03, 0.82);
+    const double y = random.Uniform(0.62, 0.8);
+    const Rgb color(static_cast<float>(random.Uniform(0.2, 0.85)),
+                    static_cast<float>(random.Uniform(0.2, 0.8)),
+                    static_cast<float>(random.Uniform(0.2, 0.75)));
+    picture.FillFlat(x, y, x + random.Uniform(0.05, 0.15), 1.0, color);
+  }
+}
+
+void PaintSign(std::string_view text, RandomStream& random, Picture& picture) {
+  constexpr std::array<std::array<float, 3>, 7> kBoards = {{{0.14F, 0.22F, 0.18F},
+                                                            {0.38F, 0.09F, 0.09F},
+                                                            {0.10F, 0.14F, 0.28F},
+                                                            {0.12F, 0.12F, 0.12F},
+                                                            {0.86F, 0.83F, 0.74F},
+                                                            {0.30F, 0.20F, 0.12F},
+                                                            {0.80F, 0.62F, 0.18F}}};
+  const auto& board = kBoards[static_cast<size_t>(random.Integer(0, 6))];
+  const Rgb ground(board[0], board[1], board[2]);
+  const Rgb ink = ground.mean() < 0.5F ? Rgb(0.93F, 0.90F, 0.80F) : Rgb(0.12F, 0.10F, 0.10F);
+  picture.FillFlat(0.0, 0.0, 1.0, 1.0, ground);
+  picture.FillFlat(0.0, 0.04, 1.0, 0.08, Rgb(0.5F * (ground + ink)));
+  picture.FillFlat(0.0, 0.92, 1.0, 0.96, Rgb(0.5F * (ground + ink)));
+  // Cells of a 5 x 7 font, six columns a letter; the board is eight times as wide as high.
+  const double cell_y = 0.62 / 7.0;
+  const double cell_x = std::min(cell_y / 8.0, 0.92 / (6.0 * static_cast<double>(text.size())));
+  double left = 0.5 - 0.5 * cell_x * (6.0 * static_cast<double>(text.size()) - 1.0);
+  for (const char letter : text) {
+    for (int row = 0; row < kFontRows; ++row) {
+      for (int column = 0; column < kFontColumns; ++column) {
+        if (FontPixel(letter, column, row)) {
+          const double x = left + column * cell_x;
+          const double y = 0.19 + row * cell_y;
+          picture.FillFlat(x, y, x + cell_x, y + cell_y, ink);
+        }
+      }
+    }
+    left += 6.0 * cell_x;
+  }
+}
+
+}  // namespace
+
+Texture WindowAtlas(bool with_frames) {
+  constexpr int kCell_px = 128;
+  Texture atlas{with_frames ? "windows_framed" : "windows",
+                Image<uint8_t>(kCell_px * kWindowAtlasCells, kCell_px * kWindowAtlasCells, 4),
+                true};
+  for (int row = 0; row < kWindowAtlasCells; ++row) {
+    for (int column = 0; column < kWindowAtlasCells; ++column) {
+      Picture picture(atlas.texels, column * kCell_px, row * kCell_px, kCell_px, kCell_px);
+      RandomStream random({201, static_cast<uint64_t>(row), static_cast<uint64_t>(column)});
+      PaintInterior(random, picture);
+      if (with_frames) {
+        PaintFrame(picture);
+      }
+    }
+  }
+  return atlas;
+}
+
+Texture ShopAtlas() {
+  constexpr int kCell_px = 256;
+  Texture atlas{
+      "shops", Image<uint8_t>(kCell_px * kShopAtlasCells, kCell_px * kShopAtlasCells, 4), true};
+  for (int row = 0; row < kShopAtlasCells; ++row) {
+    for (int column = 0; column < kShopAtlasCells; ++column) {
+      Picture picture(atlas.texels, column * kCell_px, row * kCell_px, kCell_px, kCell_px);
+      RandomStream random({202, static_cast<uint64_t>(row), static_cast<uint64_t>(column)});
+      PaintShop(random, picture);
+    }
+  }
+  return atlas;
+}
+
+Texture SignAtlas() {
+  constexpr std::array<std::string_view, 32> kWords = {
+      "BAKERY",   "CAFE",     "BOOKS",  "PHARMACY", "FLOWERS",  "WINE BAR", "HAIR",    "TAILOR",
+      "OPTICIAN", "SHOES",    "MARKET", "HOTEL",    "DELI",     "GALLERY",  "MUSIC",   "BICYCLES",
+      "BISTRO",   "JEWELLER", "CLINIC", "ANTIQUES", "TEA ROOM", "HARDWARE", "TOYS",    "FABRICS",
+      "BANK",     "COFFEE",   "PRINTS", "BUTCHER",  "CHEESE",   "TRAVEL",   "LAUNDRY", "BARBER"};
+  constexpr int kWidth_px = 512;
+  constexpr int kHeight_px = 64;
+  Texture atlas{
+      "signs", Image<uint8_t>(kWidth_px * kSignAtlasColumns, kHeight_px * kSignAtlasRows, 4), true};
+  for (int row = 0; row < kSignAtlasRows; ++row) {
+    for (int column = 0; column < kSignAtlasColumns; ++column) {
+      Picture picture(atlas.texels, column * kWidth_px, row * kHeight_px, kWidth_px, kHeight_px);
+      const auto idx = static_cast<size_t>(row * kSignAtlasColumns + column);
+      RandomStream random({203, static_cast<uint64_t>(idx)});
+      PaintSign(kWords[idx], random, picture);
+    }
+  }
+  return atlas;
+}
+
+Texture CurtainWallTexture() {
+  constexpr int kSize_px = 512;
+  // Four modules wide and two storeys high, so that panes differ.
+  constexpr int kColumns = 4;
+  constexpr int kRows = 2;
+  Texture texture{"curtain_wall", Image<uint8_t>(kSize_px, kSize_px, 4), true};
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      Picture picture(texture.texels,
+                      column * kSize_px / kColumns,
+                      row * kSize_px / kRows,
+                      kSize_px / kColumns,
+                      kSize_px / kRows);
+      RandomStream random({204, static_cast<uint64_t>(row), static_cast<uint64_t>(column)});
+      const double tone = random.Uniform(0.10, 0.18);
+      picture.FillFlat(0,
+                       0,
+                       1,
+                       1,
+                       Rgb(static_cast<float>(tone),
+                           static_cast<float>(tone * 1.15),
+                           static_cast<float>(tone * 1.25)));
+      if (random.Chance(0.4)) {
+        picture.FillFlat(0, 0, 1, random.Uniform(0.2, 0.6), Gray(random.Uniform(0.35, 0.5)));
+      }
+      picture.FillFlat(0, 0.74, 1, 1, Rgb(0.22F, 0.26F, 0.29F));
+      picture.FillFlat(0, 0.72, 1, 0.75, Gray(0.55));
+      picture.FillFlat(0, 0.0, 0.05, 1, Gray(0.58));
+    }
+  }
+  return texture;
+}
+
+}  // namespace pfseq

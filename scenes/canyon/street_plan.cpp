@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/canyon/street_plan.h"
+
+#include "renderer/core/error.h"
+#include "renderer/core/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pfseq {
+namespace {
+
+/// The city must end within this distance of the drive's bounding box.
+constexpr double kGreatestReach_m = 440.0;
+constexpr double kRimDepth_m = 14.0;
+/// From the drive's centre line: half a car and a margin to the kerb, and the pavement that is left
+/// at the least.
+constexpr double kKerbClearance_m = 1.6;
+constexpr double kLeastPavement_m = 1.2;
+
+struct Span {
+  double low_m = 0.0;
+  double high_m = 0.0;
+};
+
+void CheckSpec(const CanyonSpec& canyon, const DriveSpec& drive) {
+  const auto [narrow_m, wide_m] = canyon.street_width_m;
+  if (!(narrow_m >= 6.0 && wide_m >= narrow_m && wide_m <= 60.0)) {
+    throw InputError(
+        "scene.canyon.street_width_m: expected 6 <= least <= greatest <= 60, got {} {}",
+        narrow_m,
+        wide_m);
+  }
+  const auto [low_m, high_m] = canyon.building_height_m;
+  if (!(low_m >= 3.0 && high_m >= low_m && high_m <= 150.0)) {
+    throw InputError(
+        "scene.canyon.building_height_m: expected 3 <= least <= greatest <= 150, got {} {}",
+        low_m,
+        high_m);
+  }
+  if (!(canyon.detail >= 0.0 && canyon.detail <= 2.0)) {
+    throw InputError("scene.canyon.detail: expected 0 to 2, got {}", canyon.detail);
+  }
+  if (canyon.surrounding_blocks < 1 || canyon.surrounding_blocks > 4) {
+    throw InputError("scene.canyon.surrounding_blocks: expected 1 to 4, got {}",
+                     canyon.surrounding_blocks);
+  }
+  if (!(drive.first_street_m >= 0.0 && drive.cross_street_m >= 0.0 && drive.last_street_m >= 0.0 &&
+        drive.corner_radius_m > 0.0)) {
+    throw InputError("trajectory.drive: expected street lengths >= 0 and a corner radius > 0");
+  }
+  if (drive.turn != "left" && drive.turn != "right") {
+    throw InputError("trajectory.drive.turn: expected left or right, got '{}'", drive.turn);
+  }
+}
+
+Street MakeStreet(double center_m, const CanyonSpec& canyon, RandomStream& random) {
+  Street street;
+  street.center_m = center_m;
+  // Whole decimetres: building lines then fall on short decimal figures.
+  street.width_m =
+      std::round(random.Uniform(canyon.street_width_m[0], canyon.street_width_m[1]) * 10.0) / 10.0;
+  street.pavement_m = std::clamp(0.17 * street.width_m, 1.0, 4.5);
+  return street;
+}
+
+/// Streets on one axis: those of the drive at `fixed_m` (ascending), so many beyond them that
+/// `around` rows of blocks surround the span of the drive.
+std::vector<Street> PlaceStreets(const std::vector<double>& fixed_m,
+                                 const Span& drive_span,
+                                 const CanyonSpec& canyon,
+                                 const Vec2d& block_length_m,
+                                 RandomStream random) {
+  std::vector<Street> streets;
+  for (const double center_m : fixed_m) {
+    streets.push_back(MakeStreet(center_m, canyon, random));
+  }
+  const double stride_reserve_m = block_length_m.y() + 2.0 * canyon.street_width_m[1] + kRimDepth_m;
+  const auto extend = [&](double from_m, double sign, double limit_m) {
+    double center_m = from_m;
+    int num_beyond = 0;
+    while (num_beyond < canyon.surrounding_blocks &&
+           sign * (center_m - limit_m) + stride_reserve_m < kGreatestReach_m) {
+      center_m += sign * std::round(random.Uniform(block_length_m.x(), block_length_m.y()) +
+                                    canyon.street_width_m[1]);
+      streets.push_back(MakeStreet(center_m, canyon, random));
+      // Rows count only from where the drive's end lies inside a block.
+      if (sign * (center_m - limit_m) > 0.5 * canyon.street_width_m[1]) {
+        ++num_beyond;
+      }
+    }
+  };
+  extend(fixed_m.front(), -1.0, drive_span.low_m);
+  extend(fixed_m.back(), 1.0, drive_span.high_m);
+  std::sort(streets.begin(), streets.end(), [](const Street& a, const Street& b) {
+    return a.center_m < b.center_m;
+  });
+  return streets;
+}
+
+/// Positive when the point lies to the right of the line from a to b.
+double RightHandSide(const Vec2d& a_m, const Vec2d& b_m, const Vec2d& point_m) {
+  const Vec2d along_m = b_m - a_m;
+  const Vec2d to_point_m = point_m - a_m;
+  return along_m.y() * to_point_m.x() - along_m.x() * to_point_m.y();
+}
+
+double PointSegmentDistance(const Vec2d& point_m, const Vec2d& a_m, const Vec2d& b_m) {
+  const Vec2d along_m = b_m - a_m;
+  const double length2 = along_m.squaredNorm();
+  const double t =
+      length2 > 0.0 ? std::clamp((point_m - a_m).dot(along_m) / length2, 0.0, 1.0) : 0.0;
+  return (point_m - a_m - t * along_m).norm();
+}
+
+/// The least cut at a corner, not under `least_m`, with which the rectangle keeps `clearance_m`
+/// from the path.
+double ClearChamfer(const PlanRect& rect,
+                    int corner,
+                    double least_m,
+                    double clearance_m,
+                    const std::vector<Vec2d>& path_m) {
+  const double most_m = 0.95 * rect.Size().minCoeff();
+  double chamfer_m = least_m;
+  while (chamfer_m < most_m) {
+    std::array<double, 4> chamfers_m = {};
+    chamfers_m[static_cast<size_t>(corner)] = chamfer_m;
+    if (DistanceToPath(ChamferedRect(rect, chamfers_m), path_m) >= clearance_m) {
+      return chamfer_m;
+    }
+    chamfer_m += 0.5;
+  }
+  return most_m;
+}
+
+void ChamferBlock(const std::vector<Vec2d>& path_m, RandomStream& random, Block& block) {
+  const bool often_cut = random.Chance(0.3);
+  const bool near_path = DistanceToPath(ChamferedRect(block.island, {}), path_m) < 4.0;
+  for (int corner = 0; corner < 4; ++corner) {
+    const auto i = static_cast<size_t>(corner);
+    const bool is_cut = random.Chance(often_cut ? 0.85 : 0.12);
+    const double cut_m = is_cut ? random.Uniform(2.2, 3.4) : 0.0;
+    const bool between_streets = block.is_street[i] && block.is_street[(i + 3) % 4];
+    if (!between_streets) {
+      continue;
+    }
+    block.lots_chamfer_m[i] = cut_m;
+    if (near_path) {
+      block.island_chamfer_m[i] = ClearChamfer(block.island, corner, 0.0, kKerbClearance_m, path_m);
+      block.lots_chamfer_m[i] =
+          ClearChamfer(block.lots, corner, cut_m, kKerbClearance_m + kLeastPavement_m, path_m);
+    }
+  }
+}
+
+Block MakeBlock(const Span& x, const Span& y, const std::array<double, 4>& pavement_m) {
+  Block block;
+  block.lots = {Vec2d(x.low_m, y.low_m), Vec2d(x.high_m, y.high_m)};
+  block.island = {block.lots.low_m - Vec2d(pavement_m[kWest], pavement_m[kSouth]),
+                  block.lots.high_m + Vec2d(pavement_m[kEast], pavement_m[kNorth])};
+  return block;
+}
+
+void AddBlocks(RandomStream random, StreetPlan& plan) {
+  for (size_t i = 0; i + 1 < plan.streets_along_y.size(); ++i) {
+    for (size_t j = 0; j + 1 < plan.streets_along_x.size(); ++j) {
+      const Street& west = plan.streets_along_y[i];
+      const Street& east = plan.streets_along_y[i + 1];
+      const Street& south = plan.streets_along_x[j];
+      const Street& north = plan.streets_along_x[j + 1];
+      Block block =
+          MakeBlock({west.HighFacade(), east.LowFacade()},
+                    {south.HighFacade(), north.LowFacade()},
+                    {south.pavement_m, east.pavement_m, north.pavement_m, west.pavement_m});
+      if (block.island.Size().minCoeff() < 1.0) {
+        continue;
+      }
+      // Too flat for lots: the island stays, empty.
+      if (block.lots.Size().minCoeff() < 0.0) {
+        block.lots = {block.island.Center(), block.island.Center()};
+      }
+      ChamferBlock(plan.drive_path_m, random, block);
+      plan.blocks.push_back(block);
+    }
+  }
+}
+
+/// A closed ring of houses around the last streets, so that every street's view ends at a wall.
+void AddRim(StreetPlan& plan) {
+  const Street& south = plan.streets_along_x.front();
+  const Street& north = plan.streets_along_x.back();
+  const Street& west = plan.streets_along_y.front();
+  const Street& east = plan.streets_along_y.back();
+  const Span x{west.LowFacade(), east.HighFacade()};
+  const Span y{south.LowFacade(), north.HighFacade()};
+  // West and east overlap the others' ends by this much, behind a slot that nobody sees into.
+  constexpr double kOverlap_m = 4.0;
+  constexpr double kSlot_m = 0.05;
+  const Span y_long{y.low_m - kOverlap_m, y.high_m + kOverlap_m};
+  const Span x_short{x.low_m + kSlot_m, x.high_m - kSlot_m};
+  const auto add = [&](const Span& sx, const Span& sy, BlockEdge edge, double pavement_m) {
+    std::array<double, 4> pavements_m = {};
+    pavements_m[edge] = pavement_m;
+    Block block = MakeBlock(sx, sy, pavements_m);
+    block.is_street = {};
+    block.is_street[edge] = true;
+    block.is_rim = true;
+    plan.blocks.push_back(block);
+  };
+  add({x.low_m - kRimDepth_m, x.low_m}, y_long, kEast, west.pavement_m);
+  add({x.high_m, x.high_m + kRimDepth_m}, y_long, kWest, east.pavement_m);
+  add(x_short, {y.low_m - kRimDepth_m, y.low_m}, kNorth, south.pavement_m);
+  add(x_short, {y.high_m, y.high_m + kRimDepth_m}, kSouth, north.pavement_m);
+  plan.extent = {Vec2d(x.low_m - kRimDepth_m, y.low_m - kRimDepth_m),
+                 Vec2d(x.high_m + kRimDepth_m, y.high_m + kRimDepth_m)};
+}
+
+void AppendStraight(const Vec2d& from_m,
+                    const Vec2d& to_m,
+                    double spacing_m,
+                    std::vector<Vec2d>& path_m) {
+  const int count = std::max(1, static_cast<int>(std::ceil((to_m - from_m).norm() / spacing_m)));
+  for (int i = 0; i <= count; ++i) {
+    path_m.emplace_back(from_m + (to_m - from_m) * (static_cast<double>(i) / count));
+  }
+}
+
+void AppendArc(const Vec2d& center_m,
+               double radius_m,
+               double from_rad,
+               double sign,
+               double spacing_m,
+               std::vector<Vec2d>& path_m) {
+  constexpr double kQuarter_rad = 0.5 * std::numbers::pi;
+  const int count = std::max(4, static_cast<int>(std::ceil(radius_m * kQuarter_rad / spacing_m)));
+  for (int i = 1; i < count; ++i) {
+    const double angle_rad = from_rad + kQuarter_rad * i / count;
+    path_m.emplace_back(center_m.x() + radius_m * std::cos(angle_rad),
+                        center_m.y() + sign * radius_m * std::sin(angle_rad));
+  }
+}
+
+}  // namespace
+
+std::vector<Vec2d> SampleDrivePath(const DriveSpec& drive, double spacing_m) {
+  const double sign = drive.turn == "right" ? -1.0 : 1.0;
+  const double radius_m = drive.corner_radius_m;
+  const double cross_x_m = drive.first_street_m + radius_m;
+  const double last_y_m = sign * (drive.cross_street_m + 2.0 * radius_m);
+  constexpr double kQuarter_rad = 0.5 * std::numbers::pi;
+  std::vector<Vec2d> path_m;
+  AppendStraight(Vec2d::Zero(), {drive.first_street_m, 0.0}, spacing_m, path_m);
+  AppendArc(
+      {drive.first_street_m, sign * radius_m}, radius_m, -kQuarter_rad, sign, spacing_m, path_m);
+  AppendStraight({cross_x_m, sign * radius_m},
+                 {cross_x_m, sign * (radius_m + drive.cross_street_m)},
+                 spacing_m,
+                 path_m);
+  AppendArc(
+      {drive.first_street_m, last_y_m - sign * radius_m}, radius_m, 0.0, sign, spacing_m, path_m);
+  AppendStraight({drive.first_street_m, last_y_m},
+                 {drive.first_street_m - drive.last_street_m, last_y_m},
+                 spacing_m,
+                 path_m);
+  return path_m;
+}
+
+double DistanceToPath(const std::vector<Vec2d>& polygon_m, const std::vector<Vec2d>& path_m) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const Vec2d& point_m : path_m) {
+    bool is_inside = true;
+    for (size_t i = 0; i < polygon_m.size(); ++i) {
+      const Vec2d& a_m = polygon_m[i];
+      const Vec2d& b_m = polygon_m[(i + 1) % polygon_m.size()];
+      is_inside = is_inside && RightHandSide(a_m, b_m, point_m) <= 0.0;
+      least_m = std::min(least_m, PointSegmentDistance(point_m, a_m, b_m));
+    }
+    if (is_inside) {
+      return 0.0;
+    }
+  }
+  return least_m;
+}
+
+std::vector<Vec2d> ChamferedRect(const PlanRect& rect, const std::array<double, 4>& chamfer_m) {
+  const std::array<Vec2d, 4> corners_m = rect.Corners();
+  std::vector<Vec2d> polygon_m;
+  for (size_t i = 0; i < 4; ++i) {
+    if (chamfer_m[i] <= 0.0) {
+      polygon_m.push_back(corners_m[i]);
+      continue;
+    }
+    const Vec2d back = (corners_m[(i + 3) % 4] - corners_m[i]).normalized();
+    const Vec2d ahead = (corners_m[(i + 1) % 4] - corners_m[i]).normalized();
+    polygon_m.emplace_back(corners_m[i] + chamfer_m[i] * back);
+    polygon_m.emplace_back(corners_m[i] + chamfer_m[i] * ahead);
+  }
+  return polygon_m;
+}
+
+StreetPlan PlanStreets(const CanyonSpec& canyon, const DriveSpec& drive) {
+  CheckSpec(canyon, drive);
+  StreetPlan plan;
+  plan.drive_path_m = SampleDrivePath(drive, 0.5);
+  const double cross_x_m = drive.first_street_m + drive.corner_radius_m;
+  const double last_y_m =
+      (drive.turn == "right" ? -1.0 : 1.0) * (drive.cross_street_m + 2.0 * drive.corner_radius_m);
+  const Span x{std::min(0.0, drive.first_street_m - drive.last_street_m), cross_x_m};
+  const Span y{std::min(0.0, last_y_m), std::max(0.0, last_y_m)};
+  plan.streets_along_x =
+      PlaceStreets({y.low_m, y.high_m}, y, canyon, {34.0, 52.0}, RandomStream({canyon.seed, 1}));
+  plan.streets_along_y =
+      PlaceStreets({cross_x_m}, x, canyon, {46.0, 72.0}, RandomStream({canyon.seed, 2}));
+  AddBlocks(RandomStream({canyon.seed, 3}), plan);
+  AddRim(plan);
+  return plan;
+}
+
+}  // namespace pfseq

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/sequence/sequence_schema.h"
+
+#include "renderer/core/error.h"
+#include "renderer/core/file.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pfseq {
+namespace {
+
+const std::filesystem::path kData = std::filesystem::path(PFSEQ_SOURCE_DIR) / "data";
+
+/// The least that a description needs.
+constexpr char kSmall[] =
+    "lenses:\n"
+    "  fish: {circle_px: 90}\n"
+    "rig:\n"
+    "  cameras:\n"
+    "    front: {}\n";
+
+class SequenceSchema : public testing::Test {
+ protected:
+  SequenceSpec Read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    WriteFileAtomically(path_, text);
+    return ReadSequenceSpec(path_, overrides);
+  }
+
+  /// The message, without the folder of the file.
+  std::string ErrorOf(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    const std::string message = MessageOf<InputError>([&] { Read(text, overrides); });
+    const std::string folder = folder_.Path().string() + "/";
+    return message.find(folder) == 0 ? message.substr(folder.size()) : message;
+  }
+
+  TempFolder folder_;
+  std::filesystem::path path_ = folder_.Path() / "demo.yaml";
+};
+
+TEST_F(SequenceSchema, FillsInAllDefaults) {
+  const SequenceSpec spec = Read(kSmall);
+  EXPECT_EQ(spec.name, "pfseq");
+  EXPECT_EQ(spec.image.size_px, (std::array{1200, 1200}));
+  ASSERT_EQ(spec.lenses.size(), 1U);
+  EXPECT_EQ(spec.lenses[0].value.model, "equidistant");
+  EXPECT_EQ(spec.lenses[0].value.circle_px, 90.0);
+  EXPECT_EQ(spec.trajectory, TrajectorySpec{});
+  EXPECT_EQ(spec.scene, SceneSpec{});
+  EXPECT_EQ(spec.light.sun, SunSpec{});
+  EXPECT_EQ(spec.render, RenderSpec{});
+}
+
+TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
+  const SequenceSpec spec = Read(
+      "name: every key\n"
+      "image: {size_px: [640, 480]}\n"
+      "lenses:\n"
+      "  b: {model: kannala_brandt, fov_deg: 170, focal_px: [300, 301], principal_point_px: "
+      "[320.5, 240],\n"
+      "      image_width_px: 640, coefficients: [0.1, 0.01, 0.001, 0.0001]}\n"
+      "  a: {model: perspective, fov_deg: 90, focal_px: 200}\n"
+      "rig:\n"
+      "  cameras:\n"
+      "    z: {position_m: [1, 2, 3], rotation_xzy_deg: [4, 5, 6]}\n"
+      "    y: {}\n"
+      "trajectory:\n"
+      "  drive: {first_street_m: 1, cross_street_m: 2, last_street_m: 3, corner_radius_m: 4, turn: "
+      "right,\n"
+      "          cruise_speed_mps: 6, corner_speed_mps: 5, acceleration_mps2: 7, stop_s: 8}\n"
+      "  num_frames: 9\n"
+      "  frame_rate_hz: 10\n"
+      "  height_m: 11\n"
+      "scene:\n"
+      "  canyon: {seed: 12, street_width_m: [13, 14], building_height_m: [15, 16], detail: 1.7,\n"
+      "           pitched_roof_share: 0.18, surrounding_blocks: 19}\n"
+      "light:\n"
+      "  sun: {elevation_deg: 20, azimuth_deg: 21, angular_diameter_deg: 2.2, strength: 23}\n"
+      "  sky: {model: constant, turbidity: 2.4, radiance: [25, 26, 27], strength: 28}\n"
+      "render: {seed: 29, samples: 30, max_bounces: 31}\n"
+      "sensor: {exposure: 32, tone_curve: clip}\n"
+      "ground_truth: {max_distance_m: 33}\n");
+  SequenceSpec expected;
+  expected.name = "every key";
+  expected.image.size_px = {640, 480};
+  LensSpec polynomial;
+  polynomial.model = "kannala_brandt";
+  polynomial.fov_deg = 170.0;
+  polynomial.focal_px = {300.0, 301.0};
+  polynomial.principal_point_px = {320.5, 240.0};
+  polynomial.image_width_px = 640;
+  polynomial.coefficients = {0.1, 0.01, 0.001, 0.0001};
+  LensSpec pinhole;
+  pinhole.model = "perspective";
+  pinhole.fov_deg = 90.0;
+  pinhole.focal_px = {200.0, 200.0};
+  expected.lenses = {{"b", polynomial}, {"a", pinhole}};
+  expected.cameras = {{"z", {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}}, {"y", {}}};
+  expected.trajectory.drive = {1.0, 2.0, 3.0, 4.0, "right", 6.0, 5.0, 7.0, 8.0};
+  expected.trajectory.num_frames = 9;
+  expected.trajectory.frame_rate_hz = 10.0;
+  expected.trajectory.height_m = 11.0;
+  expected.scene.canyon.seed = 12;
+  expected.scene.canyon.street_width_m = {13.0, 14.0};
+  expected.scene.canyon.building_height_m = {15.0, 16.0};
+  expected.scene.canyon.detail = 1.7;
+  expected.scene.canyon.pitched_roof_share = 0.18;
+  expected.scene.canyon.surrounding_blocks = 19;
+  expected.light.sun = SunSpec{20.0, 21.0, 2.2, 23.0};
+  expected.light.sky = {"constant", 2.4, {25.0, 26.0, 27.0}, 28.0};
+  expected.render = {29, 30, 31};
+  expected.sensor = {32.0, "clip"};
+  expected.ground_truth = {33.0};
+  EXPECT_EQ(spec, expected);
+  // The canonical form of a description that sets every key gives it back.
+  EXPECT_EQ(Read(CanonicalYaml(spec)), expected);
+  EXPECT_EQ(CanonicalYaml(Read(CanonicalYaml(spec))), CanonicalYaml(spec));
+}
+
+TEST_F(SequenceSchema, CanonicalFormOfShippedSequencesIsStable) {
+  for (const std::string name : {"pfseq.yaml", "tiny.yaml"}) {
+    const SequenceSpec spec = ReadSequenceSpec(kData / "sequences" / name);
+    const std::string text = CanonicalYaml(spec);
+    EXPECT_EQ(Read(text), spec) << name;
+    EXPECT_EQ(CanonicalYaml(Read(text)), text) << name;
+  }
+}
+
+TEST_F(SequenceSchema, CanonicalFormWritesVersionAndDefaults) {
+  const std::string text = CanonicalYaml(Read(kSmall));
+  EXPECT_EQ(
+      text.find("pfseq_version: " PFSEQ_VERSION "\nname: pfseq\nimage:\n  size_px: [1200, 1200]\n"),
+      0U)
+      << text;
+  EXPECT_NE(text.find("\n    fov_deg: 181.8\n    circle_px: 90\n    image_width_px: 0\nrig:\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\n      rotation_xzy_deg: [0, 0, 0]\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n  sun:\n    elevation_deg: 40\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("gltf"), std::string::npos) << text;
+  EXPECT_EQ(text.find("coefficients"), std::string::npos) << text;
+}
+
+TEST_F(SequenceSchema, KeepsTheOrderOfCameras) {
+  const SequenceSpec spec = ReadSequenceSpec(kData / "sequences" / "pfseq.yaml");
+  ASSERT_EQ(spec.cameras.size(), 2U);
+  EXPECT_EQ(spec.cameras[0].name, "front");
+  EXPECT_EQ(spec.cameras[1].name, "rear");
+  EXPECT_EQ(spec.cameras[1].value.position_m, (std::array{-2.0, 0.0, 0.0}));
+  EXPECT_EQ(spec.cameras[1].value.rotation_xzy_deg, (std::array{-8.0, 6.0, -7.0}));
+}
+
+TEST_F(SequenceSchema, OverridesReachEveryKey) {
+  const SequenceSpec spec = ReadSequenceSpec(kData / "sequences" / "pfseq.yaml",
+                                             {"image.size_px=300",
+                                              "lenses.equisolid.fov_deg=170",
+                                              "rig.cameras.rear.position_m=[-1, 0, 0.5]",
+                                              "trajectory.drive.turn=right",
+                                              "light.sky.radiance=[1, 2, 3]",
+                                              "render.samples=16",
+                                              "render.samples=17"});
+  EXPECT_EQ(spec.image.size_px, (std::array{300, 300}));
+  EXPECT_EQ(spec.lenses[1].value.fov_deg, 170.0);
+  EXPECT_EQ(spec.lenses[0].value.fov_deg, 181.8);
+  EXPECT_EQ(spec.cameras[1].value.position_m, (std::array{-1.0, 0.0, 0.5}));
+  EXPECT_EQ(spec.trajectory.drive.turn, "right");
+  EXPECT_EQ(spec.light.sky.radiance, (std::array{1.0, 2.0, 3.0}));
+  EXPECT_EQ(spec.render.samples, 17);
+}
+
+TEST_F(SequenceSchema, OverridesReachEachKeyOfTheHelp) {
+  // Each documented key takes an override (which is refused for its value here, not for its name).
+  const std::string help = SchemaHelp();
+  int num_keys = 0;
+  for (size_t start = 0; start < help.size(); start = help.find('\n', start) + 1) {
+    if (help[start] == ' ') {
+      continue;
+    }
+    std::string key = help.substr(start, help.find(':', start) - start);
+    for (const auto& [mapping, name] :
+         {std::pair{"lenses.", "fish"}, std::pair{"rig.cameras.", "front"}}) {
+      if (key.find(mapping) == 0) {
+        key.replace(key.find("NAME"), 4, name);
+      }
+    }
+    const std::string message = ErrorOf(kSmall, {key + "={}"});
+    EXPECT_EQ(message.find("--set " + key + "={}: expected "), 0U) << message;
+    ++num_keys;
+  }
+  EXPECT_GE(num_keys, 40);
+}
+
+TEST_F(SequenceSchema, HelpTellsDefaultsRangesAndMeaning) {
+  const std::string help = SchemaHelp();
+  EXPECT_NE(help.find("lenses.NAME.fov_deg: 181.8\n    a number > 0 and <= 360\n    Full field of "
+                      "view in degrees"),
+            std::string::npos)
+      << help;
+  EXPECT_NE(help.find("scene.gltf: absent\n    the path of a file\n"), std::string::npos) << help;
+  EXPECT_NE(help.find("lenses.NAME.circle_px: absent\n"), std::string::npos) << help;
+  EXPECT_NE(help.find("light.sun.elevation_deg: 40\n"), std::string::npos) << help;
+}
+
+TEST_F(SequenceSchema, RefusesWhatIsNoDescription) {
+  EXPECT_EQ(ErrorOf(""),
+            "demo.yaml: expected the description of a sequence (KEY: VALUE), got nothing");
+  EXPECT_EQ(ErrorOf("- a\n"),
+            "demo.yaml:1: expected the description of a sequence (KEY: VALUE), got a list of 1");
+  EXPECT_EQ(ErrorOf("text"),
+            "demo.yaml:1: expected the description of a sequence (KEY: VALUE), got text");
+  EXPECT_EQ(ErrorOf("a: [1\n").find("demo.yaml:"), 0U);
+  EXPECT_EQ(ErrorOf("rig: {cameras: {front: {}}}\n"),
+            "demo.yaml:1: lenses: expected at least one lens by name (a-z, 0-9, _), got nothing");
+  EXPECT_EQ(
+      ErrorOf("lenses: {fish: {circle_px: 90}}\n"),
+      "demo.yaml:1: rig.cameras: expected at least one camera by name (a-z, 0-9, _), got nothing");
+  EXPECT_EQ(ErrorOf("lenses: {Fish: {circle_px: 90}}\n"),
+            "demo.yaml:1: lenses.Fish: expected a name of up to 64 of a-z, 0-9 and _");
+  EXPECT_THROW(ReadSequenceSpec(folder_ / "missing.yaml"), InputError);
+}
+
+TEST_F(SequenceSchema, RefusesWrongValuesWithTheirLine) {
+  const std::string small = kSmall;
+  EXPECT_EQ(ErrorOf(small + "image:\n  size_px: -3\n"),
+            "demo.yaml:7: image.size_px: expected a whole number from 1 to 32768, got -3");
+  EXPECT_EQ(ErrorOf(small, {"image.size_px=-3"}),
+            "--set image.size_px=-3: expected a whole number from 1 to 32768, got -3");
+  EXPECT_EQ(ErrorOf(small + "light: {sky: {radiance: [1, .nan, 1]}}\n"),
+            "demo.yaml:6: light.sky.radiance: expected a number from 0 to 1000000, got .nan");
+  EXPECT_EQ(ErrorOf(small + "scene: {canyon: {}, gltf: a.glb}\n"),
+            "demo.yaml:6: scene.gltf: expected either this or canyon, got both");
+  EXPECT_EQ(ErrorOf(small + "scene:\n  canyon:\n    street_width_m: [18, 12]\n"),
+            "demo.yaml:8: scene.canyon.street_width_m: expected the least first, got [18, 12]");
+  EXPECT_EQ(ErrorOf(small + "trajectory:\n  drive:\n    corner_speed_mps: 10\n"),
+            "demo.yaml:8: trajectory.drive.corner_speed_mps: expected at most cruise_speed_mps "
+            "(9), got 10");
+  EXPECT_EQ(
+      ErrorOf(small + "trajectory:\n  num_frames: 0\n"),
+      "demo.yaml:7: trajectory.num_frames: expected at least 1 without a trajectory file, got 0");
+  EXPECT_EQ(ErrorOf(small + "trajectory: {tum: a.txt, csv: b.csv}\n"),
+            "demo.yaml:6: trajectory.csv: expected either this or tum, got both");
+}
+
+TEST_F(SequenceSchema, RefusesLensesThatCannotBe) {
+  const auto error = [&](const std::string& lens) {
+    return ErrorOf("lenses:\n  fish: {" + lens + "}\nrig: {cameras: {front: {}}}\n");
+  };
+  EXPECT_EQ(error("fov_deg: 100"),
+            "demo.yaml:2: lenses.fish.circle_px: expected circle_px or focal_px, got neither");
+  EXPECT_EQ(error("circle_px: 100, focal_px: 100"),
+            "demo.yaml:2: lenses.fish.focal_px: expected either this or circle_px, got both");
+  EXPECT_EQ(error("circle_px: 100, model: orthographic"),
+            "demo.yaml:2: lenses.fish.fov_deg: expected > 0 and <= 180 degrees for orthographic, "
+            "got 181.8");
+  EXPECT_EQ(
+      error("circle_px: 100, model: perspective, fov_deg: 180"),
+      "demo.yaml:2: lenses.fish.fov_deg: expected > 0 and < 180 degrees for perspective, got 180");
+  EXPECT_EQ(error("circle_px: 100, coefficients: [0, 0, 0, 0]"),
+            "demo.yaml:2: lenses.fish.coefficients: expected only for kannala_brandt, the model is "
+            "equidistant");
+  EXPECT_EQ(error("circle_px: 100, model: fisheye"),
+            "demo.yaml:2: lenses.fish.model: expected one of equidistant, equisolid, "
+            "stereographic, orthographic, "
+            "perspective, kannala_brandt, got fisheye");
+  EXPECT_EQ(error("circl_px: 100"),
+            "demo.yaml:2: lenses.fish.circl_px: unknown key; did you mean circle_px?");
+  // The polynomial with k1 = -0.1 turns at sqrt(10 / 3) radians.
+  EXPECT_EQ(
+      error("circle_px: 100, model: kannala_brandt, coefficients: [-0.1, 0, 0, 0], fov_deg: 210"),
+      "demo.yaml:2: lenses.fish.fov_deg: expected > 0 and <= 209.2146059 degrees for "
+      "kannala_brandt, got 210");
+}
+
+TEST_F(SequenceSchema, TakesModelsUpToTheirLimit) {
+  const auto read = [&](const std::string& lens) {
+    return Read("lenses:\n  fish: {" + lens + "}\nrig: {cameras: {front: {}}}\n").lenses[0].value;
+  };
+  EXPECT_EQ(read("circle_px: 100, model: orthographic, fov_deg: 180").fov_deg, 180.0);
+  EXPECT_EQ(read("circle_px: 100, model: equidistant, fov_deg: 360").fov_deg, 360.0);
+}
+
+TEST_F(SequenceSchema, OverridesReplaceTheAlternativeInTheFile) {
+  const std::string text = std::string(kSmall) + "scene: {canyon: {seed: 3}}\n";
+  const SequenceSpec spec = Read(text, {"scene.gltf=/a/b.glb", "lenses.fish.focal_px=33"});
+  EXPECT_EQ(spec.scene.gltf, "/a/b.glb");
+  EXPECT_EQ(spec.scene.canyon, CanyonSpec{});
+  EXPECT_EQ(spec.lenses[0].value.circle_px, 0.0);
+  EXPECT_EQ(spec.lenses[0].value.focal_px, (std::array{33.0, 33.0}));
+  EXPECT_EQ(Read(CanonicalYaml(spec)), spec);
+}
+
+TEST_F(SequenceSchema, PathsStartAtTheFilesFolder) {
+  const SequenceSpec spec =
+      Read(std::string(kSmall) + "scene: {gltf: sub/../a.glb}\ntrajectory: {tum: p.txt}\n");
+  EXPECT_EQ(spec.scene.gltf, (folder_.Path() / "a.glb").string());
+  EXPECT_EQ(spec.trajectory.tum, (folder_.Path() / "p.txt").string());
+}
+
+TEST_F(SequenceSchema, ATrajectoryFileGivesItsOwnNumberOfFrames) {
+  EXPECT_EQ(Read(std::string(kSmall) + "trajectory: {csv: p.csv}\n").trajectory.num_frames, 0);
+  EXPECT_EQ(
+      Read(std::string(kSmall) + "trajectory: {csv: p.csv, num_frames: 5}\n").trajectory.num_frames,
+      5);
+}
+
+TEST_F(SequenceSchema, LeavesTheSunToAGltfScene) {
+  EXPECT_EQ(Read(std::string(kSmall) + "scene: {gltf: a.glb}\n").light.sun, std::nullopt);
+  const SequenceSpec spec =
+      Read(std::string(kSmall) + "scene: {gltf: a.glb}\nlight: {sun: {strength: 2}}\n");
+  ASSERT_TRUE(spec.light.sun);
+  EXPECT_EQ(spec.light.sun->strength, 2.0);
+}
+
+TEST_F(SequenceSchema, AcceptsAnotherVersionsFile) {
+  EXPECT_EQ(Read("pfseq_version: 99.0.0\n" + std::string(kSmall)), Read(kSmall));
+}
+
+TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
+  const SequenceSpec spec = ReadSequenceSpec(kData / "sequences" / "pfseq.yaml");
+  EXPECT_EQ(spec.name, "pfseq");
+  EXPECT_EQ(spec.image, ImageSpec{});
+  EXPECT_EQ(spec.trajectory, TrajectorySpec{});
+  EXPECT_EQ(spec.scene, SceneSpec{});
+  EXPECT_EQ(spec.light.sun, SunSpec{});
+  EXPECT_EQ(spec.light.sky, SkySpec{});
+  EXPECT_EQ(spec.render, RenderSpec{});
+  EXPECT_EQ(spec.sensor, SensorSpec{});
+  EXPECT_EQ(spec.ground_truth, GroundTruthSpec{});
+}
+
+TEST_F(SequenceSchema, ReadsLensFiles) {
+  const SequenceSpec spec = ReadSequenceSpec(kData / "sequences" / "pfseq.yaml");
+  EXPECT_EQ(ReadLensSpec(kData / "lenses" / "pfseq-equidistant.yaml"), spec.lenses[0].value);
+  EXPECT_EQ(ReadLensSpec(kData / "lenses" / "pfseq-equisolid.yaml"), spec.lenses[1].value);
+  WriteFileAtomically(path_, std::string_view("model: equisolid\nfov_deg: 0\ncircle_px: 10\n"));
+  EXPECT_EQ(MessageOf<InputError>([&] { ReadLensSpec(path_); }),
+            path_.string() + ":2: fov_deg: expected a number > 0 and <= 360, got 0");
+}
+
+TEST_F(SequenceSchema, TellsSequencesFromLenses) {
+  EXPECT_TRUE(IsSequenceFile(kData / "sequences" / "tiny.yaml"));
+  EXPECT_FALSE(IsSequenceFile(kData / "lenses" / "pfseq-equisolid.yaml"));
+  WriteFileAtomically(path_, std::string_view("[1, 2]\n"));
+  EXPECT_THROW(IsSequenceFile(path_), InputError);
+}
+
+}  // namespace
+}  // namespace pfseq

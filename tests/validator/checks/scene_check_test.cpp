@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validator/checks/scene_check.h"
+
+#include "tests/validator/checks/finding_matchers.h"
+#include "tests/validator/checks/view_fixture.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace pfseq {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+class SceneCheck : public ViewFixture {};
+
+constexpr const char* kFrontFile = "equisolid/front/distance/000001.exr";
+constexpr const char* kRearFile = "equisolid/rear/distance/000001.exr";
+
+TEST_F(SceneCheck, SoundMapsHaveNoFindings) {
+  const CheckReport report = Check(CheckScene, 2);
+  EXPECT_THAT(report.findings, IsEmpty());
+  EXPECT_EQ(report.num_maps_recast, 8U);
+  EXPECT_GT(report.num_pixels_recast, 8U * 1200U);
+  EXPECT_LT(report.max_relative_error, 1.2e-7);  // Float's rounding, on which pixels are stored.
+  EXPECT_GT(report.max_relative_error, 0.0);
+}
+
+TEST_F(SceneCheck, TellsASwappedPair) {
+  SwapFiles(folder_ / kFrontFile, folder_ / kRearFile);
+  SwapFiles(PathOf("equisolid", "front", Output::kSky, 1),
+            PathOf("equisolid", "rear", Output::kSky, 1));
+  EXPECT_THAT(Check(CheckScene).findings,
+              UnorderedElementsAre(IsFault(kFrontFile, "shows rear's view of frame 1: swapped?"),
+                                   IsFault(kRearFile, "shows front's view of frame 1: swapped?")));
+}
+
+TEST_F(SceneCheck, TellsSwappedFramesAndLenses) {
+  SwapFiles(folder_ / kFrontFile, PathOf("equisolid", "front", Output::kDistance, 3));
+  std::filesystem::copy_file(PathOf("equidistant", "rear", Output::kDistance, 1),
+                             folder_ / kRearFile,
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_THAT(Check(CheckScene).findings,
+              testing::IsSupersetOf({
+                  IsFault(kFrontFile, "shows front's view of frame 3: swapped?"),
+                  IsFault("equisolid/front/distance/000003.exr", "shows front's view of frame 1"),
+                  IsFault(kRearFile, "shows rear's view of frame 1 through equidistant: swapped?"),
+              }));
+}
+
+TEST_F(SceneCheck, AFrameWhoseMapsAllFailHasAnEditedPose) {
+  EditLines(folder_ / "poses.csv", [](std::vector<std::string>& lines) {
+    const size_t x = lines[4].find(',', lines[4].find(',') + 1) + 1;
+    lines[4].insert(x, "0.01");  // 2.7 m becomes 0.012.7: replaced below.
+    lines[4].replace(x, lines[4].find(',', x) - x, "2.701");
+  });
+  EXPECT_THAT(Check(CheckScene).findings,
+              ElementsAre(IsFault("poses.csv", "frame 3: none of 4 distance maps")));
+}
+
+TEST_F(SceneCheck, ACameraWhoseMapsAllFailHasAnEditedPlace) {
+  EditLines(folder_ / "rig.yaml", [](std::vector<std::string>& lines) {
+    for (std::string& line : lines) {
+      if (line.find("position_m: [-2") != std::string::npos) {
+        line = "    position_m: [-2.001, 0, 0]";
+      }
+    }
+  });
+  EXPECT_THAT(Check(CheckScene).findings,
+              ElementsAre(IsFault("rig.yaml", "camera rear: none of 4 distance maps")));
+}
+
+TEST_F(SceneCheck, ALensWhoseMapsAllFailIsEdited) {
+  EditLines(folder_ / "rig.yaml", [](std::vector<std::string>& lines) {
+    for (std::string& line : lines) {
+      if (line.find("model: equisolid") != std::string::npos) {
+        line = "    model: stereographic";
+      }
+    }
+  });
+  EXPECT_THAT(Check(CheckScene).findings,
+              testing::Contains(IsFault("rig.yaml", "lens equisolid: none of 4 distance maps")));
+}
+
+TEST_F(SceneCheck, AnotherSceneIsToldOnce) {
+  Scene moved = *sequence_.scene;
+  for (Vec3f& position_m : moved.meshes[0].positions_m) {
+    position_m.x() += 0.01F;
+    position_m.y() += 0.01F;
+    position_m.z() += 0.01F;
+  }
+  const RayScene moved_scene(std::make_shared<const Scene>(moved));
+  const auto check = [&](CheckContext context, CheckReport& report) {
+    context.scene = &moved_scene;
+    CheckScene(context, report);
+  };
+  EXPECT_THAT(Check(check).findings, ElementsAre(IsFault("scene.glb", "none of 8 distance maps")));
+}
+
+TEST_F(SceneCheck, AMapShiftedByHalfAPixelDoesNotShowTheScene) {
+  sequence_.sample_px = {1.0, 0.5};
+  sequence_.WriteView(
+      folder_.Path(), ray_scene_, sequence_.rig.cameras[0], sequence_.rig.lenses[1], 1);
+  EXPECT_THAT(Check(CheckScene).findings,
+              testing::Contains(IsFault(kFrontFile, "edited pose or damaged map")));
+}
+
+TEST_F(SceneCheck, ASmallDamageIsFoundAndPlaced) {
+  EditDistance(folder_ / kRearFile, [](Image<float>& distance_m) {
+    ASSERT_TRUE(std::isfinite(distance_m.At(20, 40)));
+    distance_m.At(20, 40) *= 1.00002F;
+  });
+  EXPECT_THAT(Check(CheckScene).findings,
+              ElementsAre(IsFault(kRearFile, "1 of 1528 compared pixels differ, first (20, 40)")));
+}
+
+TEST_F(SceneCheck, ASkyMaskThatContradictsTheSceneIsFound) {
+  EditSky(PathOf("equisolid", "rear", Output::kSky, 1), [](Image<uint8_t>& sky) {
+    for (uint8_t& value : sky.Values()) {
+      value = 0;
+    }
+  });
+  EXPECT_THAT(Check(CheckScene).findings,
+              ElementsAre(IsFault("equisolid/rear/sky/000001.png", "contradict scene.glb")));
+}
+
+TEST_F(SceneCheck, LeavesUnreadableMapsToTheOtherChecks) {
+  std::filesystem::resize_file(folder_ / kRearFile, 100);
+  const CheckReport report = Check(CheckScene);
+  EXPECT_THAT(report.findings, IsEmpty());
+  EXPECT_EQ(report.num_maps_recast, 7U);
+}
+
+TEST_F(SceneCheck, DoesNotDependOnTheNumberOfThreads) {
+  SwapFiles(folder_ / kFrontFile, folder_ / kRearFile);
+  EXPECT_EQ(Check(CheckScene, 1).Text(), Check(CheckScene, 3).Text());
+}
+
+}  // namespace
+}  // namespace pfseq

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/common_options.h"
+
+#include "renderer/core/error.h"
+#include "renderer/core/file.h"
+#include "renderer/core/parallel.h"
+#include "renderer/sequence/sequence_schema.h"
+#include "renderer/trace/lighting.h"
+#include "scenes/catalog.h"
+#include "scenes/gltf/gltf_writer.h"
+
+#include <charconv>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+namespace pfseq {
+namespace {
+
+constexpr int kMaxThreads = 1024;
+
+[[noreturn]] void FailFrames(const std::string& text) {
+  throw InputError("--frames {}: expected numbers or START:STOP[:STEP], separated by commas", text);
+}
+
+std::vector<std::string_view> Split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const size_t position = text.find(separator);
+    parts.push_back(text.substr(0, position));
+    if (position == std::string_view::npos) {
+      return parts;
+    }
+    text.remove_prefix(position + 1);
+  }
+}
+
+}  // namespace
+
+void AddRunFlags(CLI::App& command, RunFlags& flags) {
+  flags.num_threads = NumHardwareThreads();
+  command
+      .add_option("--threads", flags.num_threads, "Number of threads; results do not depend on it")
+      ->check(CLI::Range(1, kMaxThreads))
+      ->capture_default_str();
+  command.add_flag("--quiet", flags.quiet, "No progress");
+}
+
+void AddSelectionFlags(CLI::App& command, SelectionFlags& flags) {
+  command.add_option("--frames",
+                     flags.frames,
+                     "Frames: 0,24,40 or START:STOP[:STEP], STOP not included (default: all)");
+  command.add_option("--cameras", flags.cameras, "Cameras, separated by commas (default: all)")
+      ->delimiter(',');
+  command.add_option("--lenses", flags.lenses, "Lenses, separated by commas (default: all)")
+      ->delimiter(',');
+}
+
+void AddDescriptionFlags(CLI::App& command, DescriptionFlags& flags) {
+  command.add_option("SEQUENCE.yaml", flags.path, "Description of the sequence")->required();
+  command
+      .add_option("--set",
+                  flags.overrides,
+                  "Sets a key of the description, for example image.size_px=300; repeatable")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+}
+
+std::vector<int> ParseFrames(const std::string& text) {
+  std::vector<int> frames;
+  if (text.empty()) {
+    return frames;
+  }
+  constexpr int kMaxFrame = 1'000'000;
+  const auto number = [&](std::string_view part) {
+    int value = -1;
+    const auto [last, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || last != part.data() + part.size() || value < 0 ||
+        value > kMaxFrame) {
+      FailFrames(text);
+    }
+    return value;
+  };
+  for (const std::string_view item : Split(text, ',')) {
+    const std::vector<std::string_view> parts = Split(item, ':');
+    if (parts.size() > 3) {
+      FailFrames(text);
+    }
+    const int start = number(parts[0]);
+    const int stop = parts.size() > 1 ? number(parts[1]) : start + 1;
+    const int step = parts.size() > 2 ? number(parts[2]) : 1;
+    if (step < 1 || stop <= start) {
+      FailFrames(text);
+    }
+    for (int frame = start; frame < stop; frame += step) {
+      frames.push_back(frame);
+    }
+  }
+  return frames;
+}
+
+SequenceInput LoadSequenceInput(const DescriptionFlags& flags) {
+  SequenceInput input;
+  input.spec = ReadSequenceSpec(flags.path, flags.overrides);
+  Scene scene = LoadScene(input.spec, "");
+  if (input.spec.light.sun.has_value()) {
+    scene.sun = MakeSun(*input.spec.light.sun, input.spec.light.sky.turbidity);
+  }
+  input.scene = std::make_shared<const Scene>(std::move(scene));
+
+  // The written description refers to the copies in its own folder.
+  SequenceSpec written = input.spec;
+  if (!written.scene.gltf.empty()) {
+    written.scene.gltf = kSceneFile;
+  }
+  for (const auto& [path, name] : {std::pair(&written.trajectory.tum, kTumInputFile),
+                                   std::pair(&written.trajectory.csv, kCsvInputFile)}) {
+    if (!path->empty()) {
+      input.files.push_back({std::string(name), ReadFile(*path)});
+      *path = name;
+    }
+  }
+  input.files.insert(input.files.begin(), {std::string(kSequenceFile), CanonicalYaml(written)});
+  input.files.push_back({std::string(kSceneFile), GlbBytes(*input.scene)});
+  return input;
+}
+
+}  // namespace pfseq

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flags that several subcommands share, and what they stand for.
+#pragma once
+
+#include "renderer/sequence_renderer.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace pfseq {
+
+/// --threads and --quiet.
+struct RunFlags {
+  int num_threads = 0;
+  bool quiet = false;
+};
+void AddRunFlags(CLI::App& command, RunFlags& flags);
+
+/// A selection of frames, cameras and lenses; nothing given means all.
+struct SelectionFlags {
+  std::string frames;
+  std::vector<std::string> cameras;
+  std::vector<std::string> lenses;
+};
+void AddSelectionFlags(CLI::App& command, SelectionFlags& flags);
+
+/// SEQUENCE.yaml and --set.
+struct DescriptionFlags {
+  std::filesystem::path path;
+  std::vector<std::string> overrides;
+};
+void AddDescriptionFlags(CLI::App& command, DescriptionFlags& flags);
+
+/// "0,24,40", "0:64:2" (start:stop:step, stop not included), or a mixture with commas. InputError
+/// otherwise.
+std::vector<int> ParseFrames(const std::string& text);
+
+/// Reads the description and all that it refers to, and builds its scene.
+SequenceInput LoadSequenceInput(const DescriptionFlags& flags);
+
+}  // namespace pfseq

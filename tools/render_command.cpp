@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/core/error.h"
+#include "renderer/sequence_renderer.h"
+#include "tools/commands.h"
+#include "tools/common_options.h"
+
+#include <charconv>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace pfseq {
+namespace {
+
+constexpr const char* kFooter = R"(
+Examples:
+  pfseq render data/sequences/pfseq.yaml --out out/pfseq --frames 0,24,40
+  pfseq render data/sequences/pfseq.yaml --out out/small --set image.size_px=300 --set render.samples=16
+  pfseq render data/sequences/pfseq.yaml --out out/truth --outputs distance,sky
+  pfseq render data/sequences/pfseq.yaml --out out/pfseq --resume --shard 0/4     one of four machines
+  pfseq render data/sequences/pfseq.yaml --frames 24 --cameras front --lenses equisolid --pixel 600,300
+
+A stopped run goes on with --resume and ends with the same bytes. manifest.json is written last: its presence means
+that all that was asked for is there.)";
+
+struct RenderFlags {
+  DescriptionFlags description;
+  SelectionFlags selection;
+  RunFlags run;
+  std::filesystem::path folder;
+  std::vector<std::string> outputs;
+  bool resume = false;
+  bool overwrite = false;
+  std::string shard;
+  std::string pixel;
+};
+
+/// "A<separator>B" as two whole numbers >= 0.
+std::pair<int, int> ParsePair(const std::string& flag, const std::string& text, char separator) {
+  std::pair<int, int> pair;
+  const char* end = text.data() + text.size();
+  const auto [middle, error] = std::from_chars(text.data(), end, pair.first);
+  if (error == std::errc() && middle != end && *middle == separator) {
+    const auto [last, second_error] = std::from_chars(middle + 1, end, pair.second);
+    if (second_error == std::errc() && last == end && pair.first >= 0 && pair.second >= 0) {
+      return pair;
+    }
+  }
+  throw InputError("{} {}: expected two whole numbers as A{}B", flag, text, separator);
+}
+
+RenderOptions MakeOptions(const RenderFlags& flags) {
+  RenderOptions options;
+  options.folder = flags.folder;
+  options.frames = ParseFrames(flags.selection.frames);
+  options.cameras = flags.selection.cameras;
+  options.lenses = flags.selection.lenses;
+  if (!flags.outputs.empty()) {
+    options.outputs.clear();
+    for (const std::string& name : flags.outputs) {
+      options.outputs.push_back(OutputFromName(name));
+    }
+  }
+  options.num_threads = flags.run.num_threads;
+  options.quiet = flags.run.quiet;
+  options.on_existing = flags.overwrite ? OnExisting::kOverwrite
+                        : flags.resume  ? OnExisting::kResume
+                                        : OnExisting::kRefuse;
+  if (!flags.shard.empty()) {
+    const auto [shard_idx, num_shards] = ParsePair("--shard", flags.shard, '/');
+    if (shard_idx >= num_shards) {
+      throw InputError("--shard {}: expected I/N with I from 0 to N - 1", flags.shard);
+    }
+    if (flags.overwrite) {
+      throw InputError("--shard {}: does not go with --overwrite: shards share a folder",
+                       flags.shard);
+    }
+    options.shard_idx = shard_idx;
+    options.num_shards = num_shards;
+    // Whichever shard starts first writes the description; the others find it there.
+    options.on_existing = OnExisting::kResume;
+  }
+  return options;
+}
+
+void PrintPixel(const RenderFlags& flags) {
+  const auto [x, y] = ParsePair("--pixel", flags.pixel, ',');
+  const std::vector<int> frames = ParseFrames(flags.selection.frames);
+  if (frames.size() != 1 || flags.selection.cameras.size() != 1 ||
+      flags.selection.lenses.size() != 1) {
+    throw InputError(
+        "--pixel {}: expected one frame, camera and lens with --frames, --cameras and --lenses",
+        flags.pixel);
+  }
+  const FrameFile record{
+      flags.selection.lenses[0], flags.selection.cameras[0], Output::kClean, frames[0]};
+  fmt::print("{}", DescribePixel(LoadSequenceInput(flags.description), record, x, y));
+}
+
+void RunRender(const RenderFlags& flags) {
+  if (!flags.pixel.empty()) {
+    PrintPixel(flags);
+    return;
+  }
+  if (flags.folder.empty()) {
+    throw InputError("--out: expected the folder to write to");
+  }
+  const RenderOptions options = MakeOptions(flags);
+  const SequenceInput input = LoadSequenceInput(flags.description);
+  if (!flags.run.quiet) {
+    fmt::print(stderr,
+               "scene: {} triangles, {} materials, {} textures\n",
+               input.scene->NumTriangles(),
+               input.scene->materials.size(),
+               input.scene->textures.size());
+  }
+  const RenderSummary summary = RenderSequence(input, options);
+  fmt::print("{}: {} records, {} files written, {} kept; {}\n",
+             options.folder.string(),
+             summary.num_records,
+             summary.num_files_written,
+             summary.num_files_kept,
+             summary.is_complete ? "complete" : "other shards have files left to write");
+}
+
+}  // namespace
+
+void AddRenderCommand(CLI::App& app) {
+  auto flags = std::make_shared<RenderFlags>();
+  CLI::App* command = app.add_subcommand("render", "Renders a sequence with its ground truth");
+  command->footer(kFooter);
+  AddDescriptionFlags(*command, flags->description);
+  command->add_option("--out", flags->folder, "Folder of the sequence");
+  AddSelectionFlags(*command, flags->selection);
+  command
+      ->add_option("--outputs",
+                   flags->outputs,
+                   "What to write: clean, linear (half-float EXR), distance, sky (default: "
+                   "clean,distance,sky)")
+      ->delimiter(',');
+  CLI::Option* resume =
+      command->add_flag("--resume", flags->resume, "Go on with a sequence of the same description");
+  command->add_flag("--overwrite", flags->overwrite, "Replace the sequence that is there")
+      ->excludes(resume);
+  command->add_option(
+      "--shard", flags->shard, "I/N: render each N-th record, starting with I; implies --resume");
+  command->add_option(
+      "--pixel", flags->pixel, "X,Y: print what this pixel sees instead of writing anything");
+  AddRunFlags(*command, flags->run);
+  command->callback([flags] { RunRender(*flags); });
+}
+
+}  // namespace pfseq

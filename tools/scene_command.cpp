@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/core/error.h"
+#include "renderer/core/file.h"
+#include "renderer/trace/ray_scene.h"
+#include "scenes/gltf/gltf_writer.h"
+#include "tools/commands.h"
+#include "tools/common_options.h"
+
+#include <limits>
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace pfseq {
+namespace {
+
+constexpr const char* kFooter = R"(
+Examples:
+  pfseq scene data/sequences/pfseq.yaml --stats
+  pfseq scene data/sequences/pfseq.yaml --set scene.canyon.seed=7 --out city.glb
+  pfseq scene data/sequences/pfseq.yaml --out city.gltf          separate .bin and textures)";
+
+struct SceneFlags {
+  DescriptionFlags description;
+  std::filesystem::path out;
+  bool stats = false;
+  RunFlags run;
+};
+
+void PrintStats(const SequenceInput& input) {
+  const Scene& scene = *input.scene;
+  std::map<std::string, size_t> triangles_by_material;
+  Vec3f low_m = Vec3f::Constant(std::numeric_limits<float>::infinity());
+  Vec3f high_m = -low_m;
+  for (const Mesh& mesh : scene.meshes) {
+    triangles_by_material[scene.materials[static_cast<size_t>(mesh.material_idx)].name] +=
+        mesh.triangles.size();
+    for (const Vec3f& position_m : mesh.positions_m) {
+      low_m = low_m.cwiseMin(position_m);
+      high_m = high_m.cwiseMax(position_m);
+    }
+  }
+  size_t texture_bytes = 0;
+  for (const Texture& texture : scene.textures) {
+    texture_bytes += texture.texels.Values().size();
+  }
+  constexpr double kMebi = 1024.0 * 1024.0;
+  const RayScene rays(input.scene);
+  fmt::print("triangles: {}\nmeshes: {}\nmaterials: {}\ntextures: {} ({:.1f} MiB)\n",
+             scene.NumTriangles(),
+             scene.meshes.size(),
+             scene.materials.size(),
+             scene.textures.size(),
+             static_cast<double>(texture_bytes) / kMebi);
+  fmt::print("extent_m: x {:.1f} to {:.1f}, y {:.1f} to {:.1f}, z {:.1f} to {:.1f}\n",
+             low_m.x(),
+             high_m.x(),
+             low_m.y(),
+             high_m.y(),
+             low_m.z(),
+             high_m.z());
+  fmt::print("ray tracing memory: {:.1f} MiB\n", static_cast<double>(rays.MemoryBytes()) / kMebi);
+  for (const auto& [name, count] : triangles_by_material) {
+    fmt::print("  {:>9} triangles  {}\n", count, name.empty() ? "(no name)" : name);
+  }
+}
+
+void RunScene(const SceneFlags& flags) {
+  if (flags.out.empty() && !flags.stats) {
+    throw InputError("scene: expected --out FILE.glb, --out FILE.gltf or --stats");
+  }
+  const std::string extension = flags.out.extension().string();
+  if (!flags.out.empty() && extension != ".glb" && extension != ".gltf") {
+    throw InputError("--out {}: expected a name that ends with .glb or .gltf", flags.out.string());
+  }
+  const SequenceInput input = LoadSequenceInput(flags.description);
+  if (extension == ".glb") {
+    WriteFileAtomically(flags.out, GlbBytes(*input.scene));
+  } else if (extension == ".gltf") {
+    WriteGltf(*input.scene, flags.out);
+  }
+  if (flags.stats) {
+    PrintStats(input);
+  }
+}
+
+}  // namespace
+
+void AddSceneCommand(CLI::App& app) {
+  auto flags = std::make_shared<SceneFlags>();
+  CLI::App* command = app.add_subcommand("scene", "Writes or describes the scene of a sequence");
+  command->footer(kFooter);
+  AddDescriptionFlags(*command, flags->description);
+  command->add_option("--out", flags->out, "File to write: .glb, or .gltf with separate files");
+  command->add_flag("--stats", flags->stats, "Print what is in the scene");
+  AddRunFlags(*command, flags->run);
+  command->callback([flags] { RunScene(*flags); });
+}
+
+}  // namespace pfseq

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validator/match_picture.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace pfseq {
+namespace {
+
+constexpr int kViewWidthPx = 800;
+constexpr int kCaptionHeightPx = 34;
+constexpr size_t kMaxLines = 200;
+// Sub-pixel drawing of OpenCV: coordinates in 1/16 pixel.
+constexpr int kShift = 4;
+
+const cv::Scalar kCorrectColor(60, 220, 60);
+const cv::Scalar kWrongColor(230, 50, 50);
+
+bool IsCorrect(const JudgedMatch& match) { return match.distance_m < kPictureToleranceM; }
+
+void PasteReduced(const Image<uint8_t>& view, cv::Mat place) {
+  const cv::Mat full(
+      view.HeightPx(), view.WidthPx(), CV_8UC3, const_cast<uint8_t*>(view.Values().data()));
+  cv::resize(full, place, place.size(), 0.0, 0.0, cv::INTER_AREA);
+}
+
+/// In 1/16 pixel, OpenCV's convention.
+cv::Point OnPicture(const Vec2d& pixel_px, double scale, int offset_px) {
+  const Vec2d reduced_px = scale * pixel_px - Vec2d::Constant(0.5);
+  return {cvRound((reduced_px.x() + offset_px) * (1 << kShift)),
+          cvRound(reduced_px.y() * (1 << kShift))};
+}
+
+}  // namespace
+
+Image<uint8_t> MatchPicture(const Image<uint8_t>& first_rgb,
+                            const Image<uint8_t>& second_rgb,
+                            const std::vector<JudgedMatch>& matches,
+                            const std::string& title) {
+  const int width_px = std::min(kViewWidthPx, first_rgb.WidthPx());
+  const double scale = static_cast<double>(width_px) / first_rgb.WidthPx();
+  const int height_px = std::max(1, cvRound(scale * first_rgb.HeightPx()));
+  Image<uint8_t> picture(2 * width_px, height_px + kCaptionHeightPx, 3);
+  cv::Mat canvas(picture.HeightPx(), picture.WidthPx(), CV_8UC3, picture.Values().data());
+  PasteReduced(first_rgb, canvas(cv::Rect(0, 0, width_px, height_px)));
+  PasteReduced(second_rgb, canvas(cv::Rect(width_px, 0, width_px, height_px)));
+
+  const size_t num_correct = std::count_if(matches.begin(), matches.end(), IsCorrect);
+  const size_t step = std::max<size_t>(1, (matches.size() + kMaxLines - 1) / kMaxLines);
+  for (const bool correct : {false, true}) {  // Correct ones on top.
+    const cv::Scalar& color = correct ? kCorrectColor : kWrongColor;
+    for (size_t i = 0; i < matches.size(); ++i) {
+      if (IsCorrect(matches[i]) != correct) {
+        continue;
+      }
+      const cv::Point first = OnPicture(matches[i].pixels_px[0], scale, 0);
+      const cv::Point second = OnPicture(matches[i].pixels_px[1], scale, width_px);
+      cv::circle(canvas, first, 1 << kShift, color, cv::FILLED, cv::LINE_AA, kShift);
+      cv::circle(canvas, second, 1 << kShift, color, cv::FILLED, cv::LINE_AA, kShift);
+      if (i % step == 0) {
+        cv::line(canvas, first, second, color, 1, cv::LINE_AA, kShift);
+      }
+    }
+  }
+  const std::string caption =
+      fmt::format("{}: {} of {} attempted matches within {:g} m (green){}",
+                  title,
+                  num_correct,
+                  matches.size(),
+                  kPictureToleranceM,
+                  step > 1 ? fmt::format(", every {}th as a line", step) : "");
+  const double font_scale = width_px >= kViewWidthPx ? 0.6 : 0.4;
+  canvas.rowRange(height_px, picture.HeightPx()).setTo(cv::Scalar(20, 20, 20));
+  cv::putText(canvas,
+              caption,
+              cv::Point(8, height_px + 22),
+              cv::FONT_HERSHEY_SIMPLEX,
+              font_scale,
+              cv::Scalar(240, 240, 240),
+              1,
+              cv::LINE_AA);
+  return picture;
+}
+
+}  // namespace pfseq

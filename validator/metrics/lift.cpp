@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "validator/metrics/lift.h"
+
+#include <cmath>
+
+namespace pfseq {
+
+std::optional<Vec3d> LiftToWorld(const Vec2d& pixel_px,
+                                 const Lens& lens,
+                                 const RigidTransform& world_from_camera,
+                                 const Image<float>& distance_m) {
+  // The pixel whose centre is nearest is the one that contains the point.
+  const double x = std::floor(pixel_px.x());
+  const double y = std::floor(pixel_px.y());
+  if (!(x >= 0.0 && x < distance_m.WidthPx() && y >= 0.0 && y < distance_m.HeightPx())) {
+    return std::nullopt;
+  }
+  const double distance = distance_m.At(static_cast<int>(x), static_cast<int>(y));
+  const std::optional<Vec3d> direction_camera = lens.Unproject(pixel_px);
+  if (!(distance > 0.0 && std::isfinite(distance)) || !direction_camera) {
+    return std::nullopt;
+  }
+  return world_from_camera.Point(distance * *direction_camera);
+}
+
+}  // namespace pfseq
