@@ -161,7 +161,7 @@ struct RenderSpec {
 
 struct SensorSpec {
   /// Multiplies linear radiance before the tone curve.
-  double exposure = 1.0;
+  double exposure = 0.06;
   /// clip (linear up to white) or shoulder (highlights roll off smoothly).
   std::string tone_curve = "shoulder";
 

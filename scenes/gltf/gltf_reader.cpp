@@ -89,6 +89,7 @@ class SceneBuilder {
       : model_(model), origin_(origin), materials_(ReadGltfMaterials(model, origin)) {}
 
   Scene Build() {
+    CheckTotals();
     AddNodes();
     scene_.materials = std::move(materials_.materials);
     scene_.textures = std::move(materials_.textures);
@@ -181,15 +182,32 @@ class SceneBuilder {
     }
   }
 
+  size_t NumVertices(const tinygltf::Primitive& primitive) const {
+    return model_.accessors[static_cast<size_t>(AttributeOf(primitive, "POSITION"))].count;
+  }
+
+  size_t NumCorners(const tinygltf::Primitive& primitive) const {
+    return primitive.indices < 0 ? NumVertices(primitive)
+                                 : model_.accessors[static_cast<size_t>(primitive.indices)].count;
+  }
+
   /// Refuses before memory is taken.
-  void CheckTotals(size_t num_vertices, size_t num_corners, const std::string& where) {
-    num_vertices_ += num_vertices;
-    num_corners_ += num_corners;
-    if (num_vertices_ > kMaxVertices || num_corners_ > 3 * kMaxTriangles) {
-      throw InputError("{}: the scene has more than {} vertices or {} triangles",
-                       where,
-                       kMaxVertices,
-                       kMaxTriangles);
+  void CheckTotals() const {
+    size_t num_vertices = 0;
+    size_t num_corners = 0;
+    for (const tinygltf::Node& node : model_.nodes) {
+      if (node.mesh < 0) {
+        continue;
+      }
+      for (const tinygltf::Primitive& primitive :
+           model_.meshes[static_cast<size_t>(node.mesh)].primitives) {
+        num_vertices += NumVertices(primitive);
+        num_corners += NumCorners(primitive);
+        if (num_vertices > kMaxVertices || num_corners > 3 * kMaxTriangles) {
+          throw InputError(
+              "{}: more than {} vertices or {} triangles", origin_, kMaxVertices, kMaxTriangles);
+        }
+      }
     }
   }
 
@@ -199,20 +217,16 @@ class SceneBuilder {
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
       return std::nullopt;
     }
-    const int position_idx = AttributeOf(primitive, "POSITION");
-    const size_t num_vertices = model_.accessors[static_cast<size_t>(position_idx)].count;
-    const size_t num_corners = primitive.indices < 0
-                                   ? num_vertices
-                                   : model_.accessors[static_cast<size_t>(primitive.indices)].count;
-    CheckTotals(num_vertices, num_corners, where);
-
+    const size_t num_vertices = NumVertices(primitive);
     Mesh mesh;
-    mesh.triangles = TrianglesOfSequence(primitive.mode, num_corners, where);
+    mesh.triangles = TrianglesOfSequence(primitive.mode, NumCorners(primitive), where);
     if (mesh.triangles.empty()) {
       return std::nullopt;
     }
-    mesh.positions_m = ReadVec3Accessor(
-        model_, position_idx, VertexAttribute::kPosition, where + ".attributes.POSITION");
+    mesh.positions_m = ReadVec3Accessor(model_,
+                                        AttributeOf(primitive, "POSITION"),
+                                        VertexAttribute::kPosition,
+                                        where + ".attributes.POSITION");
     if (primitive.indices >= 0) {
       FollowIndices(primitive.indices, where + ".indices", mesh);
     }
@@ -310,8 +324,6 @@ class SceneBuilder {
   const std::string& origin_;
   GltfMaterials materials_;
   Scene scene_;
-  size_t num_vertices_ = 0;
-  size_t num_corners_ = 0;
 };
 
 }  // namespace

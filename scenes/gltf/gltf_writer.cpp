@@ -235,7 +235,8 @@ class ModelBuilder {
       model_.nodes.push_back(node);
     }
     if (scene_.sun) {
-      model_.nodes[0].children.push_back(AddSun(*scene_.sun, model_));
+      const int sun_idx = AddSun(*scene_.sun, model_);
+      model_.nodes[0].children.push_back(sun_idx);
     }
   }
 

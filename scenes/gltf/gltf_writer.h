@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as glTF 2.0. What ReadGltf makes of it is the scene again, bit for bit, but for meshes
-// without a triangle, which glTF cannot hold and are left out.
+// A scene as glTF 2.0. What ReadGltf makes of it is the scene again, bit for bit, but for what
+// glTF cannot hold: meshes without a triangle are left out, and so is a normal_scale without its
+// texture.
 #pragma once
 
 #include "renderer/trace/scene.h"

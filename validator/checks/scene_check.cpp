@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -25,7 +26,7 @@ constexpr double kRelativeTolerance = 1e-5;
 constexpr double kEdgeRad = 1e-6;
 /// A map shows a view when no more than this share of its pixels contradicts.
 constexpr double kShowsShare = 0.99;
-/// With more agreement than this the map is taken for a damaged one of the right view.
+/// With more agreement than this a map alone is taken for a damaged one of the right view.
 constexpr double kPartlyShare = 0.5;
 constexpr int kNumTriedPixels = 256;
 
@@ -165,13 +166,28 @@ class MapCaster {
   const Image<float>& distance_m_;
 };
 
-enum class Verdict { kShows, kDamaged, kOtherView, kUnexplained, kUnread };
+enum class Verdict {
+  kShows,
+  kFewPixels,  ///< all but a few pixels
+  kOtherView,  ///< what another camera, frame or lens sees
+  kPartly,     ///< about half of it or more: surfaces along which the camera was shifted look alike
+  kNothing,
+  kUnread,
+};
 
-struct ViewVerdict {
+struct JudgedView {
+  CheckedView view;
   Verdict verdict = Verdict::kUnread;
   MapComparison comparison;
   /// Of kOtherView: whose view it is.
   std::string other_view;
+  /// The fault of this map has been told together with that of others.
+  bool is_told = false;
+
+  /// Not what the pose says, and not another view either.
+  bool IsUnexplained() const {
+    return !is_told && (verdict == Verdict::kPartly || verdict == Verdict::kNothing);
+  }
 };
 
 /// What view a map shows, of all that the sequence has; nothing when none fits.
@@ -196,8 +212,9 @@ std::optional<std::string> FindOtherView(const CheckContext& context,
   return std::nullopt;
 }
 
-ViewVerdict Judge(const CheckContext& context, const CheckedView& view) {
-  ViewVerdict result;
+JudgedView Judge(const CheckContext& context, const CheckedView& view) {
+  JudgedView result;
+  result.view = view;
   Image<float> distance_m;
   std::optional<Image<uint8_t>> sky;
   try {
@@ -217,77 +234,106 @@ ViewVerdict Judge(const CheckContext& context, const CheckedView& view) {
   if (result.comparison.num_differing == 0) {
     result.verdict = Verdict::kShows;
   } else if (result.comparison.AgreeingShare() >= kShowsShare) {
-    result.verdict = Verdict::kDamaged;
+    result.verdict = Verdict::kFewPixels;
   } else if (const std::optional<std::string> other = FindOtherView(context, view, caster)) {
     result.verdict = Verdict::kOtherView;
     result.other_view = *other;
   } else {
-    result.verdict = result.comparison.AgreeingShare() >= kPartlyShare ? Verdict::kDamaged
-                                                                       : Verdict::kUnexplained;
+    result.verdict =
+        result.comparison.AgreeingShare() >= kPartlyShare ? Verdict::kPartly : Verdict::kNothing;
   }
   return result;
 }
 
-/// Blames what unexplained maps have in common. `key_of` gives the name of what a view shares with
-/// others; a group of at least two views that all fail is told once, as a fault of `file`, and
-/// taken out of `unexplained`.
-template <typename KeyOf>
-void BlameShared(const std::vector<CheckedView>& views,
-                 const std::vector<ViewVerdict>& verdicts,
-                 const KeyOf& key_of,
-                 const std::string& file,
-                 const std::string& suspicion,
-                 std::vector<bool>& unexplained,
-                 CheckReport& report) {
-  std::map<std::string, std::vector<size_t>> groups;
-  for (size_t i = 0; i < views.size(); ++i) {
-    if (verdicts[i].verdict != Verdict::kUnread) {
-      groups[key_of(views[i])].push_back(i);
+/// Something that views share, and that is suspected when the maps of all of them fail.
+struct SharedCause {
+  /// Which group a view belongs to, as the beginning of the fault's text.
+  std::function<std::string(const CheckedView&)> group;
+  std::string file;
+  std::string suspicion;
+};
+
+/// Tells once, as a fault of what they share, what at least two maps have that all fail
+/// unexplained.
+void BlameShared(const SharedCause& cause, std::vector<JudgedView>& judged, CheckReport& report) {
+  std::map<std::string, std::vector<JudgedView*>> groups;
+  for (JudgedView& one : judged) {
+    if (one.verdict != Verdict::kUnread) {
+      groups[cause.group(one.view)].push_back(&one);
     }
   }
-  for (const auto& [key, members] : groups) {
-    const bool all_fail =
-        std::all_of(members.begin(), members.end(), [&](size_t i) { return unexplained[i]; });
+  for (const auto& [name, members] : groups) {
+    const bool all_fail = std::all_of(
+        members.begin(), members.end(), [](const JudgedView* one) { return one->IsUnexplained(); });
     if (members.size() < 2 || !all_fail) {
       continue;
     }
-    report.AddFault(file,
+    report.AddFault(cause.file,
                     fmt::format("{}none of {} distance maps shows {} from the stored pose: {}",
-                                key,
+                                name,
                                 members.size(),
                                 kSceneFile,
-                                suspicion));
-    for (const size_t i : members) {
-      unexplained[i] = false;
+                                cause.suspicion));
+    for (JudgedView* one : members) {
+      one->is_told = true;
     }
   }
 }
 
-void ReportOne(const CheckedView& view,
-               const ViewVerdict& result,
-               bool is_unexplained,
-               CheckReport& report) {
-  const MapComparison& comparison = result.comparison;
-  const std::string file = view.File(Output::kDistance);
+void BlameAllShared(std::vector<JudgedView>& judged, CheckReport& report) {
+  const bool has_many_frames = std::any_of(judged.begin(), judged.end(), [&](const auto& one) {
+    return one.view.frame != judged.front().view.frame;
+  });
+  if (has_many_frames) {
+    BlameShared({[](const CheckedView&) { return std::string(); },
+                 std::string(kSceneFile),
+                 "another scene, or edited calibration or poses?"},
+                judged,
+                report);
+  }
+  BlameShared({[](const CheckedView& view) { return fmt::format("frame {}: ", view.frame); },
+               std::string(kPosesFile),
+               "edited pose?"},
+              judged,
+              report);
+  BlameShared({[](const CheckedView& view) { return fmt::format("camera {}: ", view.camera); },
+               std::string(kRigFile),
+               "edited calibration?"},
+              judged,
+              report);
+  BlameShared({[](const CheckedView& view) { return fmt::format("lens {}: ", view.lens); },
+               std::string(kRigFile),
+               "edited calibration?"},
+              judged,
+              report);
+}
+
+void ReportOne(const JudgedView& judged, CheckReport& report) {
+  const MapComparison& comparison = judged.comparison;
+  const std::string file = judged.view.File(Output::kDistance);
   const std::string difference = fmt::format("{} of {} compared pixels differ, first {}",
                                              comparison.num_differing,
                                              comparison.num_compared,
                                              comparison.first_difference);
-  if (result.verdict == Verdict::kOtherView) {
-    report.AddFault(file, fmt::format("shows {}: swapped?", result.other_view));
-  } else if (result.verdict == Verdict::kDamaged) {
+  if (judged.verdict == Verdict::kOtherView) {
+    // Its sky mask may well be the right one; whether the two fit is another check's.
+    report.AddFault(file, fmt::format("shows {}: swapped?", judged.other_view));
+    return;
+  }
+  if (judged.verdict == Verdict::kFewPixels ||
+      (judged.verdict == Verdict::kPartly && judged.IsUnexplained())) {
     report.AddFault(
         file, fmt::format("differs from {} in part: {}: damaged map?", kSceneFile, difference));
-  } else if (is_unexplained) {
+  } else if (judged.IsUnexplained()) {
     report.AddFault(
         file,
         fmt::format("does not show {} from the pose of frame {} ({}): edited pose or damaged map?",
                     kSceneFile,
-                    view.frame,
+                    judged.view.frame,
                     difference));
   }
   if (comparison.num_sky_differing > 0) {
-    report.AddFault(view.File(Output::kSky),
+    report.AddFault(judged.view.File(Output::kSky),
                     fmt::format("{} pixels contradict {}, first {}",
                                 comparison.num_sky_differing,
                                 kSceneFile,
@@ -306,63 +352,25 @@ void CheckScene(const CheckContext& context, CheckReport& report) {
                context.views.end(),
                std::back_inserter(views),
                [](const CheckedView& view) { return view.Has(Output::kDistance); });
-  std::vector<ViewVerdict> verdicts(views.size());
+  std::vector<JudgedView> judged(views.size());
   Progress progress("distance maps against the scene", views.size(), context.options.quiet);
   ParallelFor(views.size(), context.options.num_threads, [&](size_t i) {
-    verdicts[i] = Judge(context, views[i]);
+    judged[i] = Judge(context, views[i]);
     progress.Advance();
   });
   progress.Finish();
 
-  std::vector<bool> unexplained;
-  for (const ViewVerdict& result : verdicts) {
-    unexplained.push_back(result.verdict == Verdict::kUnexplained);
-    if (result.verdict != Verdict::kUnread) {
+  for (const JudgedView& one : judged) {
+    if (one.verdict != Verdict::kUnread) {
       ++report.num_maps_recast;
-      report.num_pixels_recast += result.comparison.num_compared;
+      report.num_pixels_recast += one.comparison.num_compared;
       report.max_relative_error =
-          std::max(report.max_relative_error, result.comparison.max_relative_error);
+          std::max(report.max_relative_error, one.comparison.max_relative_error);
     }
   }
-  const bool many_frames = std::any_of(views.begin(), views.end(), [&](const CheckedView& view) {
-    return view.frame != views[0].frame;
-  });
-  if (many_frames) {
-    BlameShared(
-        views,
-        verdicts,
-        [](const CheckedView&) { return std::string(); },
-        std::string(kSceneFile),
-        "another scene, or edited calibration or poses?",
-        unexplained,
-        report);
-  }
-  BlameShared(
-      views,
-      verdicts,
-      [](const CheckedView& view) { return fmt::format("frame {}: ", view.frame); },
-      std::string(kPosesFile),
-      "edited pose?",
-      unexplained,
-      report);
-  BlameShared(
-      views,
-      verdicts,
-      [](const CheckedView& view) { return fmt::format("camera {}: ", view.camera); },
-      std::string(kRigFile),
-      "edited calibration?",
-      unexplained,
-      report);
-  BlameShared(
-      views,
-      verdicts,
-      [](const CheckedView& view) { return fmt::format("lens {}: ", view.lens); },
-      std::string(kRigFile),
-      "edited calibration?",
-      unexplained,
-      report);
-  for (size_t i = 0; i < views.size(); ++i) {
-    ReportOne(views[i], verdicts[i], unexplained[i], report);
+  BlameAllShared(judged, report);
+  for (const JudgedView& one : judged) {
+    ReportOne(one, report);
   }
 }
 

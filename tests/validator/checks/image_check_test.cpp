@@ -67,8 +67,8 @@ TEST_F(ImageCheck, NamesImagesOfAnotherSizeOrKind) {
   WriteFileAtomically(Sky(), std::span<const std::byte>(EncodePng(Image<uint8_t>(48, 48, 3))));
   EXPECT_THAT(Check(CheckImages).findings,
               UnorderedElementsAre(IsFault(kCleanFile, "40 x 48 px, 48 x 48 in rig.yaml"),
-                                   IsFault(kDistanceFile, "1 channel(s) of half"),
-                                   IsFault(kSkyFile, "3 of uint8")));
+                                   IsFault(kDistanceFile, "got 1 of half"),
+                                   IsFault(kSkyFile, "got 3 of uint8")));
 }
 
 TEST_F(ImageCheck, ChecksRadianceWhereItIsWritten) {

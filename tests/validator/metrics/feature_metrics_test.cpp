@@ -45,11 +45,11 @@ TEST(FeatureMetrics, CountsPlantedPointsAtEachTolerance) {
 }
 
 TEST(FeatureMetrics, CorrectMatchesAreAttemptedOnesWithinTolerance) {
-  const Planted planted({0.001, 0.02, 0.07, 0.2});
+  const Planted planted({0.001, 0.025, 0.07, 0.2});
   // Right pairs, and one wrong pair 10 m apart.
   const std::vector<DescriptorMatch> attempted = {{0, 0, 9}, {1, 1, 9}, {2, 3, 9}, {3, 3, 9}};
   const std::vector<double> distances_m = MatchDistancesM(attempted, planted.first, planted.second);
-  EXPECT_NEAR(distances_m[1], 0.02, 1e-9);
+  EXPECT_NEAR(distances_m[1], 0.025, 1e-9);
   EXPECT_GT(distances_m[2], 9.0);
 
   const FeatureMetrics metrics = MeasureFeatures(planted.first, planted.second, distances_m);
