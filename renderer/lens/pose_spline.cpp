@@ -18,7 +18,7 @@ std::vector<Vec3d> ParabolicVelocities(const std::vector<StampedPose>& poses) {
   std::vector<double> steps_s;
   for (size_t i = 0; i + 1 < count; ++i) {
     steps_s.push_back(poses[i + 1].time_s - poses[i].time_s);
-    secants_mps.push_back(
+    secants_mps.emplace_back(
         (poses[i + 1].world_from_rig.translation_m - poses[i].world_from_rig.translation_m) /
         steps_s[i]);
   }

@@ -115,7 +115,8 @@ Vec3d ShadingNormal(const Scene& scene,
 BsdfParameters EvaluateMaterial(const Material& material,
                                 const TextureSet& textures,
                                 const Vec2d& texcoord,
-                                bool has_texcoord) {
+                                bool has_texcoord,
+                                float min_roughness) {
   BsdfParameters parameters;
   parameters.base_color = material.base_color;
   parameters.metallic = material.metallic;
@@ -129,6 +130,7 @@ BsdfParameters EvaluateMaterial(const Material& material,
     parameters.roughness *= texel[1];
     parameters.metallic *= texel[2];
   }
+  parameters.roughness = std::max(parameters.roughness, min_roughness);
   return parameters;
 }
 
@@ -167,15 +169,21 @@ ShadingFrame::ShadingFrame(const Vec3d& unit_normal) : normal(unit_normal) {
 SurfacePoint::SurfacePoint(const Scene& scene,
                            const TextureSet& textures,
                            const RayHit& hit,
-                           const Vec3d& direction)
-    : SurfacePoint(
-          scene, textures, hit, -direction, TrianglePoint(scene.meshes[hit.mesh_idx], hit)) {}
+                           const Vec3d& direction,
+                           float min_roughness)
+    : SurfacePoint(scene,
+                   textures,
+                   hit,
+                   -direction,
+                   TrianglePoint(scene.meshes[hit.mesh_idx], hit),
+                   min_roughness) {}
 
 SurfacePoint::SurfacePoint(const Scene& scene,
                            const TextureSet& textures,
                            const RayHit& hit,
                            const Vec3d& to_viewer,
-                           const TrianglePoint& point)
+                           const TrianglePoint& point,
+                           float min_roughness)
     : position_m_(point.position_m),
       coordinate_size_m_(LargestCoordinateM(point)),
       geometric_normal_(hit.geometric_normal.dot(to_viewer) >= 0.0 ? hit.geometric_normal
@@ -184,7 +192,8 @@ SurfacePoint::SurfacePoint(const Scene& scene,
       parameters_(EvaluateMaterial(MaterialOf(scene, hit),
                                    textures,
                                    point.texcoord,
-                                   !scene.meshes[hit.mesh_idx].texcoords.empty())),
+                                   !scene.meshes[hit.mesh_idx].texcoords.empty(),
+                                   min_roughness)),
       emission_(EvaluateEmission(MaterialOf(scene, hit),
                                  textures,
                                  point.texcoord,

@@ -36,11 +36,13 @@ struct TrianglePoint;
 /// scatter: normals are turned toward the viewer. Directions are unit vectors in the world frame.
 class SurfacePoint {
  public:
-  /// `hit` is what the scene's ray tracer said of a ray along `direction`.
+  /// `hit` is what the scene's ray tracer said of a ray along `direction`. The material's roughness
+  /// is raised to `min_roughness`.
   SurfacePoint(const Scene& scene,
                const TextureSet& textures,
                const RayHit& hit,
-               const Vec3d& direction);
+               const Vec3d& direction,
+               float min_roughness = 0.0F);
 
   /// BSDF times cosine for light from this direction, and Sample's density for it. Zero where the
   /// geometric and the shading normal disagree on the side, so that no light leaks through.
@@ -65,7 +67,8 @@ class SurfacePoint {
                const TextureSet& textures,
                const RayHit& hit,
                const Vec3d& to_viewer,
-               const TrianglePoint& point);
+               const TrianglePoint& point,
+               float min_roughness);
 
   Vec3d position_m_;
   double coordinate_size_m_;

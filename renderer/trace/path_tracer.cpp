@@ -43,7 +43,11 @@ Rgb PathTracer::Radiance(const Vec3d& origin_m,
       radiance += throughput * EscapedLight(ray_direction, bsdf_pdf);
       break;
     }
-    const SurfacePoint point(scene_.PlainScene(), textures_, *hit, ray_direction);
+    const SurfacePoint point(scene_.PlainScene(),
+                             textures_,
+                             *hit,
+                             ray_direction,
+                             bounce == 0 ? 0.0F : options_.min_indirect_roughness);
     radiance += throughput * point.Emission();
     if (bounce >= options_.max_bounces) {
       break;
@@ -111,7 +115,7 @@ Rgb PathTracer::SkyLight(const SurfacePoint& point, const Vec2d& sample) const {
       scene_.Occluded(point.RayOriginM(), light.direction)) {
     return Rgb::Zero();
   }
-  return value.value_cosine * light.radiance *
+  return value.value_cosine * lighting_.sky.Radiance(light.direction) *
          (PowerHeuristic(light.pdf, value.pdf) / static_cast<float>(light.pdf));
 }
 

@@ -11,13 +11,15 @@
 #include <vector>
 
 #include <embree3/rtcore.h>
+#include <tbb/task_arena.h>
 
 namespace pfseq {
 namespace {
 
-// One thread and one instruction set: the acceleration structure, and with it the answer where
-// triangles tie, is then the same on every machine.
-constexpr const char* kDeviceConfig = "threads=1,isa=avx2";
+// One instruction set, and (see Commit) one thread: the acceleration structure, and with it the
+// answer where triangles tie, is then the same on every machine.
+// Embree limits all of TBB in the process to its number of threads; the limit is put out of the way.
+constexpr const char* kDeviceConfig = "isa=avx2,threads=1024";
 
 // A ray this close to a triangle's plane (cosine of the angle to its normal) keeps Embree's own
 // distance: the exact plane's intersection is not defined by the data any more.
@@ -125,6 +127,13 @@ struct RayScene::Embree {
   }
 
   void AddMesh(const Mesh& mesh, AlphaMask* mask);
+
+  /// Builds the acceleration structure on one thread. (Embree's own setting "threads=1" would hold
+  /// for every user of TBB in the process.)
+  void Commit() const {
+    tbb::task_arena arena(1);
+    arena.execute([this] { rtcCommitScene(scene); });
+  }
 };
 
 void RayScene::Embree::AddMesh(const Mesh& mesh, AlphaMask* mask) {
@@ -183,7 +192,7 @@ RayScene::RayScene(std::shared_ptr<const Scene> scene)
     embree.AddMesh(mesh, &embree.masks[i]);
   }
   embree.ThrowOnError();
-  rtcCommitScene(embree.scene);
+  embree.Commit();
   embree.ThrowOnError();
 }
 

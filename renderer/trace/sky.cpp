@@ -11,8 +11,8 @@
 namespace pfseq {
 namespace {
 
-constexpr int kNumRows = 128;
-constexpr int kNumColumns = 256;
+constexpr int kNumRows = 64;
+constexpr int kNumColumns = 128;
 /// Points a side at which a cell's mean luminance is taken.
 constexpr int kNumCellPoints = 3;
 constexpr double kCellSolidAngle = 4.0 * std::numbers::pi / (kNumRows * kNumColumns);
@@ -195,7 +195,7 @@ Sky::DirectionSample Sky::SampleDirection(const Vec2d& sample) const {
                                       (row.index + row.fraction) / kNumRows);
   const double probability =
       cell_density_[static_cast<size_t>(row.index * kNumColumns + column.index)];
-  return {direction, Radiance(direction), probability / kCellSolidAngle};
+  return {direction, probability / kCellSolidAngle};
 }
 
 double Sky::Pdf(const Vec3d& direction) const {

@@ -31,7 +31,6 @@ class Sky {
 
   struct DirectionSample {
     Vec3d direction;
-    Rgb radiance;
     /// By solid angle.
     double pdf;
   };

@@ -53,7 +53,7 @@ float FromInteger(const unsigned char* bytes, bool is_normalized) {
   return static_cast<float>(std::max(static_cast<double>(value) / max, -1.0));
 }
 
-float Component(const unsigned char* bytes, const tinygltf::Accessor& accessor) {
+float IntegerComponent(const unsigned char* bytes, const tinygltf::Accessor& accessor) {
   switch (accessor.componentType) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
       return FromInteger<int8_t>(bytes, accessor.normalized);
@@ -61,13 +61,8 @@ float Component(const unsigned char* bytes, const tinygltf::Accessor& accessor) 
       return FromInteger<uint8_t>(bytes, accessor.normalized);
     case TINYGLTF_COMPONENT_TYPE_SHORT:
       return FromInteger<int16_t>(bytes, accessor.normalized);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    default:
       return FromInteger<uint16_t>(bytes, accessor.normalized);
-    default: {
-      float value = 0.0F;
-      std::memcpy(&value, bytes, sizeof(value));
-      return value;
-    }
   }
 }
 
@@ -159,10 +154,14 @@ std::vector<Eigen::Matrix<float, kSize, 1>> ReadVectors(const tinygltf::Model& m
                      TypeText(accessor));
   }
   std::vector<Vector> vectors(accessor.count, Vector::Zero());
+  const bool is_float = accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
   const size_t component_size = ComponentSizeBytes(accessor.componentType);
   ForEachElement(model, accessor, where, [&](size_t idx, const unsigned char* bytes) {
-    for (int k = 0; k < kSize; ++k) {
-      vectors[idx][k] = Component(bytes + static_cast<size_t>(k) * component_size, accessor);
+    if (is_float) {
+      std::memcpy(vectors[idx].data(), bytes, sizeof(Vector));
+    }
+    for (int k = 0; k < kSize && !is_float; ++k) {
+      vectors[idx][k] = IntegerComponent(bytes + static_cast<size_t>(k) * component_size, accessor);
     }
     if (!vectors[idx].allFinite()) {
       throw InputError("{}: element {} of accessors[{}] is not finite", where, idx, accessor_idx);

@@ -29,6 +29,9 @@ namespace {
 /// little strength.
 constexpr float kMinPlainEmission = 1e-6F;
 
+/// Room for the JSON part of an ordinary scene; it grows where it must.
+constexpr size_t kJsonBytes = size_t{1} << 20;
+
 /// Each part of the binary buffer begins at a multiple of this.
 constexpr size_t kAlignment = 4;
 
@@ -51,6 +54,7 @@ class ModelBuilder {
     model_.asset.version = "2.0";
     model_.asset.generator = "pfseq " PFSEQ_VERSION;
     model_.buffers.emplace_back();
+    Buffer().reserve(GeometryBytes());
     AddTextures();
     AddMaterials();
     AddNodes();
@@ -76,6 +80,16 @@ class ModelBuilder {
   }
 
  private:
+  size_t GeometryBytes() const {
+    size_t bytes = 0;
+    for (const pfseq::Mesh& mesh : scene_.meshes) {
+      bytes += sizeof(Vec3f) * (mesh.positions_m.size() + mesh.normals.size()) +
+               sizeof(Vec2f) * mesh.texcoords.size() +
+               sizeof(mesh.triangles[0]) * mesh.triangles.size();
+    }
+    return bytes;
+  }
+
   /// Whether the uses of a texture tell what its is_srgb tells. An unused one is taken for colour.
   bool UseTells(int texture_idx, bool is_srgb) const {
     bool is_color = false;
@@ -245,10 +259,13 @@ class ModelBuilder {
   std::vector<Bytes> png_files_;
 };
 
-std::string Serialize(const tinygltf::Model& model, bool is_binary) {
+/// `size_bytes` is about what it will take.
+std::string Serialize(const tinygltf::Model& model, bool is_binary, size_t size_bytes) {
   tinygltf::TinyGLTF writer;
   writer.SetImageWriter(nullptr, nullptr);
-  std::ostringstream stream;
+  std::string space;
+  space.reserve(size_bytes);
+  std::ostringstream stream(std::move(space), std::ios::out);
   if (!writer.WriteGltfSceneToStream(&model, stream, false, is_binary)) {
     throw SystemError("cannot write the scene as glTF");
   }
@@ -279,7 +296,7 @@ std::string GlbBytes(const Scene& scene) {
     builder.Model().images[i].bufferView = builder.AddView(builder.PngFiles()[i], 0);
   }
   CheckGlbSize(builder.Buffer().size());
-  std::string bytes = Serialize(builder.Model(), true);
+  std::string bytes = Serialize(builder.Model(), true, builder.Buffer().size() + kJsonBytes);
   CheckGlbSize(bytes.size());
   return bytes;
 }
@@ -298,7 +315,7 @@ void WriteGltf(const Scene& scene, const std::filesystem::path& path) {
   const std::vector<unsigned char> buffer = std::move(builder.Buffer());
   builder.Model().buffers.clear();
   const std::string bin_name = name + ".bin";
-  nlohmann::json root = nlohmann::json::parse(Serialize(builder.Model(), false));
+  nlohmann::json root = nlohmann::json::parse(Serialize(builder.Model(), false, kJsonBytes));
   root["buffers"] = {{{"byteLength", buffer.size()}, {"uri", UriOf(bin_name)}}};
   WriteFileAtomically(folder / bin_name, std::as_bytes(std::span(buffer)));
   WriteFileAtomically(path, root.dump(2) + "\n");

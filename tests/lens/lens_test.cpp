@@ -107,7 +107,6 @@ TEST_P(EveryLens, UnprojectIsInverseOfProjectOverTheWholeField) {
   }
   EXPECT_LE(worst_px, 1e-9);
   EXPECT_LE(worst_norm, 1e-15);
-  RecordProperty("worst_px", std::to_string(worst_px * 1e12) + "e-12");
 }
 
 TEST_P(EveryLens, IsExactNearTheAxis) {

@@ -22,12 +22,32 @@ Lighting ConstantLight(float radiance) {
   return {std::nullopt, Sky::Constant(Rgb::Constant(radiance))};
 }
 
+/// Mean and the variance of the mean of independent values.
+struct Statistics {
+  void Add(double value) {
+    ++count;
+    sum += value;
+    sum_of_squares += value * value;
+  }
+  double Mean() const { return sum / count; }
+  double VarianceOfMean() const {
+    return (sum_of_squares / count - Mean() * Mean()) / (count - 1.0);
+  }
+
+  int count = 0;
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+};
+
 /// A scene, its lights and the mean of many samples along a ray.
 class Tracer {
  public:
-  Tracer(Scene scene, const Lighting& lighting, int max_bounces)
+  Tracer(Scene scene,
+         const Lighting& lighting,
+         int max_bounces,
+         float min_indirect_roughness = 0.0F)
       : ray_scene_(std::make_shared<const Scene>(std::move(scene))),
-        tracer_(ray_scene_, lighting, {max_bounces}) {}
+        tracer_(ray_scene_, lighting, {max_bounces, min_indirect_roughness}) {}
 
   Rgb Mean(const Vec3d& origin_m,
            const Vec3d& direction,
@@ -233,6 +253,39 @@ TEST(PathTracer, WhatIsNotFiniteNeverLeavesIt) {
   EXPECT_TRUE(tracer.Mean({0.0, 0.0, 5.0}, {0.0, 0.0, -1.0}, 4).isFinite().all());
 }
 
+TEST(PathTracer, LeastIndirectRoughnessActsAfterTheFirstSurfaceAlone) {
+  // A smooth metal wall beside a matt floor, under the sun.
+  Material metal;
+  metal.metallic = 1.0F;
+  metal.roughness = 0.25F;
+  Scene scene;
+  scene.materials = {LambertianMaterial(Rgb::Constant(0.5F)), metal};
+  scene.meshes = {
+      FloorMesh(20.0F, 0),
+      ParallelogramMesh({3.0F, -20.0F, 0.0F}, {0.0F, 40.0F, 0.0F}, {0.0F, 0.0F, 8.0F}, 1)};
+  const Vec3d to_sun = Vec3d(-0.6, 0.1, 0.7).normalized();
+  const Lighting lighting = {SunDisc(to_sun, Rgb::Constant(80.0F), RadFromDeg(5.0)),
+                             Sky::Constant(Rgb::Ones())};
+  const auto estimate = [&](float min_indirect_roughness, const Vec3d& direction) {
+    const Tracer tracer(scene, lighting, 4, min_indirect_roughness);
+    Statistics statistics;
+    for (uint64_t i = 0; i < 16384; ++i) {
+      statistics.Add(tracer.Mean({0.0, 0.0, 2.0}, direction, 1, i)[1]);
+    }
+    return statistics;
+  };
+  // The floor near the wall: the wall's reflection of the sun is an indirect one. Its noise falls,
+  // its mean stays near.
+  const Vec3d to_floor(0.5, 0.0, -2.0);
+  const Statistics exact = estimate(0.0F, to_floor);
+  const Statistics blurred = estimate(0.5F, to_floor);
+  EXPECT_LT(blurred.VarianceOfMean(), 0.3 * exact.VarianceOfMean());
+  EXPECT_NEAR(blurred.Mean(), exact.Mean(), 0.1 * exact.Mean());
+  // The wall seen itself, in a place that mirrors the sky: as rough as it is.
+  const Vec3d to_wall(1.0, 0.0, 0.6);
+  EXPECT_NEAR(estimate(0.5F, to_wall).Mean(), estimate(0.0F, to_wall).Mean(), 1e-6);
+}
+
 // ---- Against an independent estimator ----
 
 /// A street between boxes: matt, glossy and metallic, with a mirror-like plate.
@@ -292,23 +345,6 @@ Rgb BruteForceRadiance(const RayScene& scene,
   }
 }
 
-/// Mean and the variance of the mean of independent values.
-struct Statistics {
-  void Add(double value) {
-    ++count;
-    sum += value;
-    sum_of_squares += value * value;
-  }
-  double Mean() const { return sum / count; }
-  double VarianceOfMean() const {
-    return (sum_of_squares / count - Mean() * Mean()) / (count - 1.0);
-  }
-
-  int count = 0;
-  double sum = 0.0;
-  double sum_of_squares = 0.0;
-};
-
 TEST(SlowPathTracer, AgreesWithBruteForceInEachPixel) {
   constexpr int kSizePx = 16;
   constexpr int kNumSamples = 4096;
@@ -320,7 +356,7 @@ TEST(SlowPathTracer, AgreesWithBruteForceInEachPixel) {
   const Vec3d to_sun = Vec3d(0.3, 0.35, 0.8).normalized();
   const Lighting lighting = {SunDisc(to_sun, Rgb(20.0F, 18.0F, 15.0F), RadFromDeg(40.0)),
                              Sky::Clear(to_sun, 3.0, 1.0)};
-  const PathTracer tracer(ray_scene, lighting, {kMaxBounces});
+  const PathTracer tracer(ray_scene, lighting, {kMaxBounces, 0.0F});
   const Vec3d origin_m(-15.0, 0.3, 1.6);
   double worst_z = 0.0;
   double sum_z = 0.0;

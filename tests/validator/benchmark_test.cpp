@@ -6,6 +6,7 @@
 #include "tests/support/temp_folder.h"
 #include "tests/validator/test_sequence.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
 #include <set>
@@ -61,8 +62,8 @@ TEST(Benchmark, AHalfTurnOfTheCameraCostsOpenCvsQuarterPixelOnly) {
   // pixel convention its points lie at the same places, but for 2 x 0.25 px of OpenCV's bias in x
   // and y; a convention half a pixel off would make that 1.5 px.
   TestSequence sequence = OneFrame(300);
-  sequence.rig.cameras[1].rig_from_camera.rotation =
-      Eigen::AngleAxisd(std::numbers::pi, Vec3d::UnitZ());
+  const Eigen::AngleAxisd half_turn(std::numbers::pi, Vec3d::UnitZ());
+  sequence.rig.cameras[1].rig_from_camera = {Eigen::Quaterniond(half_turn), Vec3d::Zero()};
   const TempFolder folder;
   sequence.Write(folder.Path());
   const BenchmarkResults results = RunBenchmark(SequenceReader(folder.Path()), Quiet());

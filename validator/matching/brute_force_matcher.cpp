@@ -87,19 +87,60 @@ struct Nearest {
   std::vector<int32_t> idx;
 };
 
-/// Replaces the eight entries at `offset` where `distance` is smaller; equal ones keep the earlier
-/// index.
-__attribute__((target("avx2"))) inline void KeepSmaller(Nearest& nearest,
-                                                        size_t offset,
-                                                        __m256i distance,
-                                                        __m256i idx) {
-  auto* distances = reinterpret_cast<__m256i*>(nearest.distance.data() + offset);
-  auto* indices = reinterpret_cast<__m256i*>(nearest.idx.data() + offset);
-  const __m256i old_distance = _mm256_loadu_si256(distances);
-  const __m256i smaller = _mm256_cmpgt_epi32(old_distance, distance);
-  _mm256_storeu_si256(distances, _mm256_blendv_epi8(old_distance, distance, smaller));
-  _mm256_storeu_si256(indices, _mm256_blendv_epi8(_mm256_loadu_si256(indices), idx, smaller));
-}
+/// Eight distances and whose they are, on their way between memory and registers.
+struct EightNearest {
+  __m256i distance;
+  __m256i idx;
+
+  __attribute__((target("avx2"))) static EightNearest Load(const Nearest& from, size_t offset) {
+    return {
+        _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from.distance.data() + offset)),
+        _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from.idx.data() + offset)),
+    };
+  }
+
+  __attribute__((target("avx2"))) void Store(Nearest& to, size_t offset) const {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to.distance.data() + offset), distance);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to.idx.data() + offset), idx);
+  }
+
+  /// Takes the smaller distances; equal ones keep the earlier index.
+  __attribute__((target("avx2"))) void KeepSmaller(__m256i new_distance, __m256i new_idx) {
+    const __m256i smaller = _mm256_cmpgt_epi32(distance, new_distance);
+    distance = _mm256_min_epi32(distance, new_distance);
+    idx = _mm256_blendv_epi8(idx, new_idx, smaller);
+  }
+};
+
+/// Products of kQueries rows of the first set with kGroups groups of the second. The loops over
+/// the register block are unrolled, else the compiler keeps the sums in memory.
+struct DotBlock {
+  __m256i dot[kQueries][kGroups];
+
+  __attribute__((target("avx2")))
+  DotBlock(const int16_t* query, int query_stride, const int16_t* train, int train_stride) {
+    const __m256i zero = _mm256_setzero_si256();
+    __m256i sums[kQueries][kGroups] = {{zero, zero}, {zero, zero}, {zero, zero}, {zero, zero}};
+    for (int i = 0; i < query_stride; i += 2) {
+      const int16_t* lanes = train + static_cast<size_t>(i) * kLanes;
+      const __m256i train_0 = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(lanes));
+      const __m256i train_1 =
+          _mm256_loadu_si256(reinterpret_cast<const __m256i*>(lanes + train_stride));
+#pragma GCC unroll 4
+      for (int q = 0; q < kQueries; ++q) {
+        const __m256i pair = _mm256_castps_si256(_mm256_broadcast_ss(
+            reinterpret_cast<const float*>(query + static_cast<size_t>(q) * query_stride + i)));
+        sums[q][0] = _mm256_add_epi32(sums[q][0], _mm256_madd_epi16(pair, train_0));
+        sums[q][1] = _mm256_add_epi32(sums[q][1], _mm256_madd_epi16(pair, train_1));
+      }
+    }
+#pragma GCC unroll 4
+    for (int q = 0; q < kQueries; ++q) {
+      dot[q][0] = sums[q][0];
+      dot[q][1] = sums[q][1];
+    }
+  }
+};
 
 /// Squared distances of kQueries rows at `first_row` to kGroups groups at `group`, into both sides'
 /// nearest: `by_first` has kLanes candidates for each row of the task, `by_second` one for each row
@@ -111,40 +152,30 @@ __attribute__((target("avx2"))) void CompareBlock(const PlainRows& first,
                                                   int group,
                                                   Nearest& by_first,
                                                   Nearest& by_second) {
-  __m256i dot[kQueries][kGroups];
-  for (auto& row : dot) {
-    for (__m256i& sum : row) {
-      sum = _mm256_setzero_si256();
-    }
-  }
-  const int16_t* query = first.values.data() + static_cast<size_t>(first_row) * first.stride;
-  const int16_t* train = second.values.data() + static_cast<size_t>(group) * second.stride;
-  for (int i = 0; i < first.stride; i += 2) {
-    const int16_t* lanes = train + static_cast<size_t>(i) * kLanes;
-    const __m256i train_0 = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(lanes));
-    const __m256i train_1 =
-        _mm256_loadu_si256(reinterpret_cast<const __m256i*>(lanes + second.stride));
-    for (int q = 0; q < kQueries; ++q) {
-      const __m256i pair = _mm256_castps_si256(_mm256_broadcast_ss(
-          reinterpret_cast<const float*>(query + static_cast<size_t>(q) * first.stride + i)));
-      dot[q][0] = _mm256_add_epi32(dot[q][0], _mm256_madd_epi16(pair, train_0));
-      dot[q][1] = _mm256_add_epi32(dot[q][1], _mm256_madd_epi16(pair, train_1));
-    }
-  }
+  const DotBlock block(first.values.data() + static_cast<size_t>(first_row) * first.stride,
+                       first.stride,
+                       second.values.data() + static_cast<size_t>(group) * second.stride,
+                       second.stride);
   const __m256i lane_idx = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+#pragma GCC unroll 2
   for (int g = 0; g < kGroups; ++g) {
     const int second_row = (group + g) * kLanes;
     const __m256i train_norm =
         _mm256_loadu_si256(reinterpret_cast<const __m256i*>(second.norms.data() + second_row));
     const __m256i second_idx = _mm256_add_epi32(_mm256_set1_epi32(second_row), lane_idx);
+    EightNearest of_second = EightNearest::Load(by_second, second_row);
+#pragma GCC unroll 4
     for (int q = 0; q < kQueries; ++q) {
       const __m256i norms =
           _mm256_add_epi32(train_norm, _mm256_set1_epi32(first.norms[first_row + q]));
-      const __m256i distance = _mm256_sub_epi32(norms, _mm256_slli_epi32(dot[q][g], 1));
-      KeepSmaller(
-          by_first, static_cast<size_t>(first_row_in_task + q) * kLanes, distance, second_idx);
-      KeepSmaller(by_second, second_row, distance, _mm256_set1_epi32(first_row + q));
+      const __m256i distance = _mm256_sub_epi32(norms, _mm256_slli_epi32(block.dot[q][g], 1));
+      const size_t offset = static_cast<size_t>(first_row_in_task + q) * kLanes;
+      EightNearest of_first = EightNearest::Load(by_first, offset);
+      of_first.KeepSmaller(distance, second_idx);
+      of_first.Store(by_first, offset);
+      of_second.KeepSmaller(distance, _mm256_set1_epi32(first_row + q));
     }
+    of_second.Store(by_second, second_row);
   }
 }
 
