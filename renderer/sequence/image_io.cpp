@@ -58,6 +58,8 @@ OIIO::ImageSpec ExrSpec(const Image<float>& image, OIIO::TypeDesc type) {
     spec.channelnames = {"Y"};
   }
   spec.attribute("compression", "zip");
+  // Without this the time of writing would become part of the file.
+  spec.attribute("DateTime", "");
   return spec;
 }
 

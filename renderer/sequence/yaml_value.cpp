@@ -269,10 +269,9 @@ void ApplyOverride(const std::string& override_text, YamlValue& root) {
     throw InputError("{}: expected KEY=VALUE", where);
   }
   const std::string key = override_text.substr(0, equals);
-  const std::vector<std::string> parts = SplitKey(key, where);
-  YamlOrigin origin{where, key, {}, false};
+  const YamlOrigin origin{where, key, {}, false};
   YamlValue* target = &root;
-  for (size_t i = 0; i < parts.size(); ++i) {
+  for (const std::string& part : SplitKey(key, where)) {
     // A place above the target that holds no mapping becomes one; the reader tells if none belongs
     // there.
     if (target->kind != YamlValue::Kind::kMapping) {
@@ -281,9 +280,9 @@ void ApplyOverride(const std::string& override_text, YamlValue& root) {
       target->origin = origin;
       target->origin.is_implied = true;
     }
-    YamlValue* next = target->Find(parts[i]);
+    YamlValue* next = target->Find(part);
     if (next == nullptr) {
-      target->entries.push_back({parts[i], {}});
+      target->entries.push_back({part, {}});
       next = &target->entries.back().value;
     }
     target = next;

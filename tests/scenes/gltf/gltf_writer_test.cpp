@@ -191,7 +191,8 @@ TEST(GltfWriter, AlignsAllPartsAndTellsTheLengths) {
   EXPECT_EQ(header[1], 2U);
   EXPECT_EQ(header[2], glb.size());
   EXPECT_EQ(header[3] % 4, 0U);
-  for (const nlohmann::json& view : JsonOf(glb)["bufferViews"]) {
+  const nlohmann::json root = JsonOf(glb);
+  for (const nlohmann::json& view : root["bufferViews"]) {
     EXPECT_EQ(view.value("byteOffset", 0) % 4, 0);
   }
 }
