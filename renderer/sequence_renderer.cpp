@@ -39,7 +39,9 @@ class Studio {
         scene_(input.scene),
         tracer_(scene_,
                 MakeLighting(input.spec.light, input.scene->sun),
-                PathTracerOptions{.max_bounces = input.spec.render.max_bounces}) {}
+                PathTracerOptions{.max_bounces = input.spec.render.max_bounces,
+                                  .min_indirect_roughness = static_cast<float>(
+                                      input.spec.render.min_indirect_roughness)}) {}
 
   const RigFile& Rig() const { return rig_; }
   const std::vector<StampedPose>& Poses() const { return poses_; }

@@ -12,7 +12,7 @@ build_tests=ON
 packages=(g++ cmake ninja-build pkg-config
   libeigen3-dev libfmt-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev libssl-dev libcli11-dev libnanoflann-dev
   libembree-dev libopenimageio-dev openimageio-tools libopenexr-dev libtinygltf-dev libopencv-dev
-  libgtest-dev libgmock-dev libbenchmark-dev)
+  libgtest-dev libgmock-dev)
 
 is_installed() { dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'; }
 

@@ -140,10 +140,11 @@ Image<uint8_t> ToRgba(const Image<uint8_t>& image) {
 
 }  // namespace
 
-Bytes EncodePng(const Image<uint8_t>& image) {
+Bytes EncodePng(const Image<uint8_t>& image, int compression_level) {
   OIIO::ImageSpec spec(
       image.WidthPx(), image.HeightPx(), image.NumChannels(), OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:UnassociatedAlpha", 1);
+  spec.attribute("png:compressionLevel", compression_level);
   return Encode("png", spec, OIIO::TypeDesc::UINT8, image.Values().data());
 }
 

@@ -15,8 +15,11 @@ namespace pfseq {
 
 using Bytes = std::vector<std::byte>;
 
+/// How hard zlib tries, from 1 (fast) to 9 (small).
+inline constexpr int kDefaultPngLevel = 6;
+
 /// PNG of an 8-bit image of 1, 3 or 4 channels.
-Bytes EncodePng(const Image<uint8_t>& image);
+Bytes EncodePng(const Image<uint8_t>& image, int compression_level = kDefaultPngLevel);
 
 /// OpenEXR, float32, single-part scanlines, ZIP; one channel is named Y, three are R, G, B.
 Bytes EncodeExrFloat(const Image<float>& image);

@@ -300,7 +300,7 @@ YamlTypePtr<SkySpec> SkySchema() {
             "clear: analytic, from sun and turbidity; constant: the same radiance everywhere.")
       .Key("turbidity",
            &SkySpec::turbidity,
-           From(1.0, 10.0),
+           From(1.8, 10.0),
            "Haze of the clear sky: 2 very clear, 10 hazy.")
       .Key("radiance",
            &SkySpec::radiance,
@@ -331,7 +331,12 @@ YamlTypePtr<RenderSpec> RenderSchema() {
       .Key("max_bounces",
            &RenderSpec::max_bounces,
            YamlInteger<int>(0, 1000),
-           "Scattering events of a path at most.");
+           "Scattering events of a path at most.")
+      .Key("min_indirect_roughness",
+           &RenderSpec::min_indirect_roughness,
+           From(0.0, 1.0),
+           "Least roughness of surfaces that a path meets after its first one; 0: no bias, but bright "
+           "points where windows throw sunlight.");
   return schema;
 }
 

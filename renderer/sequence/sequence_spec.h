@@ -4,13 +4,13 @@
 // the one place that reads and writes them.
 #pragma once
 
+#include "renderer/sequence/named.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "renderer/sequence/named.h"
 
 namespace pfseq {
 
@@ -155,6 +155,8 @@ struct RenderSpec {
   int samples = 32;
   /// Scattering events along a path at most.
   int max_bounces = 6;
+  /// Least roughness of surfaces that a path meets after its first one; 0: no bias.
+  double min_indirect_roughness = 0.0;
 
   bool operator==(const RenderSpec&) const = default;
 };

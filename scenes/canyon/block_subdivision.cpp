@@ -17,8 +17,8 @@ constexpr double kLeastTwoRows_m = 15.0;
 constexpr double kLeastCourtyardBlock_m = 28.0;
 constexpr double kGreatestSetback_m = 0.09;
 constexpr double kDepthJitter_m = 0.8;
-/// Of a house from the middle of the drive: half a car, and some pavement.
-constexpr double kLotClearance_m = 2.2;
+/// Of a house from the middle of the drive: half a car, and room to walk.
+constexpr double kLotClearance_m = 1.9;
 
 /// A rectangle to be cut into lots across its long axis.
 struct Row {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/canyon/canyon_textures.h"
 
+#include "renderer/core/parallel.h"
 #include "renderer/core/random.h"
 #include "scenes/canyon/texture_noise.h"
 
@@ -65,14 +66,14 @@ SurfaceTexture Paint(const std::string& name,
                      const Surface& surface) {
   SurfaceTexture result{{name, Image<uint8_t>(size_px, size_px, 4), true}, {}, size_m};
   std::vector<double> height_m(static_cast<size_t>(size_px) * static_cast<size_t>(size_px));
-  for (int y = 0; y < size_px; ++y) {
+  ParallelFor(static_cast<size_t>(size_px), NumHardwareThreads(), [&](size_t row) {
+    const auto y = static_cast<int>(row);
     for (int x = 0; x < size_px; ++x) {
       const SurfacePoint point = surface((x + 0.5) / size_px, (y + 0.5) / size_px);
       SetTexel(point.color, x, y, result.color.texels);
-      height_m[static_cast<size_t>(y) * static_cast<size_t>(size_px) + static_cast<size_t>(x)] =
-          point.height_m;
+      height_m[row * static_cast<size_t>(size_px) + static_cast<size_t>(x)] = point.height_m;
     }
-  }
+  });
   if (with_normals) {
     result.normal = NormalMap(name, height_m, size_px, size_m);
   }

@@ -3,11 +3,11 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/random.h"
+#include "renderer/sequence/sequence_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace pfseq {
 namespace {
@@ -19,40 +19,36 @@ constexpr double kRimDepth_m = 14.0;
 /// at the least.
 constexpr double kKerbClearance_m = 1.6;
 constexpr double kLeastPavement_m = 1.2;
+constexpr double kHalfCar_m = 1.05;
+/// The rig is as long as this behind the path's start.
+constexpr double kBehindStart_m = 3.0;
 
 struct Span {
   double low_m = 0.0;
   double high_m = 0.0;
 };
 
-void CheckSpec(const CanyonSpec& canyon, const DriveSpec& drive) {
+void CheckSpec(const CanyonSpec& canyon) {
   const auto [narrow_m, wide_m] = canyon.street_width_m;
-  if (!(narrow_m >= 6.0 && wide_m >= narrow_m && wide_m <= 60.0)) {
+  if (!(narrow_m >= 4.0 && wide_m >= narrow_m && wide_m <= 100.0)) {
     throw InputError(
-        "scene.canyon.street_width_m: expected 6 <= least <= greatest <= 60, got {} {}",
+        "scene.canyon.street_width_m: expected 4 <= least <= greatest <= 100, got {} {}",
         narrow_m,
         wide_m);
   }
   const auto [low_m, high_m] = canyon.building_height_m;
-  if (!(low_m >= 3.0 && high_m >= low_m && high_m <= 150.0)) {
+  if (!(low_m >= 3.0 && high_m >= low_m && high_m <= 300.0)) {
     throw InputError(
-        "scene.canyon.building_height_m: expected 3 <= least <= greatest <= 150, got {} {}",
+        "scene.canyon.building_height_m: expected 3 <= least <= greatest <= 300, got {} {}",
         low_m,
         high_m);
   }
   if (!(canyon.detail >= 0.0 && canyon.detail <= 2.0)) {
     throw InputError("scene.canyon.detail: expected 0 to 2, got {}", canyon.detail);
   }
-  if (canyon.surrounding_blocks < 1 || canyon.surrounding_blocks > 4) {
-    throw InputError("scene.canyon.surrounding_blocks: expected 1 to 4, got {}",
+  if (canyon.surrounding_blocks < 0) {
+    throw InputError("scene.canyon.surrounding_blocks: expected >= 0, got {}",
                      canyon.surrounding_blocks);
-  }
-  if (!(drive.first_street_m >= 0.0 && drive.cross_street_m >= 0.0 && drive.last_street_m >= 0.0 &&
-        drive.corner_radius_m > 0.0)) {
-    throw InputError("trajectory.drive: expected street lengths >= 0 and a corner radius > 0");
-  }
-  if (drive.turn != "left" && drive.turn != "right") {
-    throw InputError("trajectory.drive.turn: expected left or right, got '{}'", drive.turn);
   }
 }
 
@@ -62,7 +58,7 @@ Street MakeStreet(double center_m, const CanyonSpec& canyon, RandomStream& rando
   // Whole decimetres: building lines then fall on short decimal figures.
   street.width_m =
       std::round(random.Uniform(canyon.street_width_m[0], canyon.street_width_m[1]) * 10.0) / 10.0;
-  street.pavement_m = std::clamp(0.17 * street.width_m, 1.0, 4.5);
+  street.pavement_m = std::min(0.17 * street.width_m, 4.5);
   return street;
 }
 
@@ -81,8 +77,10 @@ std::vector<Street> PlaceStreets(const std::vector<double>& fixed_m,
   const auto extend = [&](double from_m, double sign, double limit_m) {
     double center_m = from_m;
     int num_beyond = 0;
-    while (num_beyond < canyon.surrounding_blocks &&
-           sign * (center_m - limit_m) + stride_reserve_m < kGreatestReach_m) {
+    // The drive's end must lie before the last street; beyond that, as many rows as fit.
+    while (sign * (center_m - limit_m) < 0.0 ||
+           (num_beyond < canyon.surrounding_blocks &&
+            sign * (center_m - limit_m) + stride_reserve_m < kGreatestReach_m)) {
       center_m += sign * std::round(random.Uniform(block_length_m.x(), block_length_m.y()) +
                                     canyon.street_width_m[1]);
       streets.push_back(MakeStreet(center_m, canyon, random));
@@ -115,42 +113,52 @@ double PointSegmentDistance(const Vec2d& point_m, const Vec2d& a_m, const Vec2d&
   return (point_m - a_m - t * along_m).norm();
 }
 
-/// The least cut at a corner, not under `least_m`, with which the rectangle keeps `clearance_m`
-/// from the path.
+/// The least cut at a corner, not under `least_m`, with which that quarter of the rectangle keeps
+/// `clearance_m` from the path.
 double ClearChamfer(const PlanRect& rect,
-                    int corner,
+                    size_t corner,
                     double least_m,
                     double clearance_m,
                     const std::vector<Vec2d>& path_m) {
+  const Vec2d center_m = rect.Center();
+  const Vec2d to_corner_m = rect.Corners()[corner] - center_m;
+  std::vector<Vec2d> near_path_m;
+  for (const Vec2d& point_m : path_m) {
+    if ((point_m - center_m).cwiseProduct(to_corner_m).minCoeff() >= 0.0) {
+      near_path_m.push_back(point_m);
+    }
+  }
   const double most_m = 0.95 * rect.Size().minCoeff();
-  double chamfer_m = least_m;
-  while (chamfer_m < most_m) {
+  for (double chamfer_m = least_m; chamfer_m < most_m; chamfer_m += 0.5) {
     std::array<double, 4> chamfers_m = {};
-    chamfers_m[static_cast<size_t>(corner)] = chamfer_m;
-    if (DistanceToPath(ChamferedRect(rect, chamfers_m), path_m) >= clearance_m) {
+    chamfers_m[corner] = chamfer_m;
+    if (DistanceToPath(ChamferedRect(rect, chamfers_m), near_path_m) >= clearance_m) {
       return chamfer_m;
     }
-    chamfer_m += 0.5;
   }
-  return most_m;
+  return std::max(most_m, 0.0);
 }
 
-void ChamferBlock(const std::vector<Vec2d>& path_m, RandomStream& random, Block& block) {
+/// Cuts the corners between streets: some for their looks, those in the drive's way as needed.
+void ChamferBlock(const std::vector<Vec2d>& path_m,
+                  double narrowest_street_m,
+                  RandomStream& random,
+                  Block& block) {
   const bool often_cut = random.Chance(0.3);
   const bool near_path = DistanceToPath(ChamferedRect(block.island, {}), path_m) < 4.0;
-  for (int corner = 0; corner < 4; ++corner) {
-    const auto i = static_cast<size_t>(corner);
+  // In the narrowest streets even straight kerbs and fronts are nearer than that.
+  const double kerb_m = std::min(kKerbClearance_m, 0.32 * narrowest_street_m);
+  const double front_m = std::min(kKerbClearance_m + kLeastPavement_m, 0.49 * narrowest_street_m);
+  for (size_t corner = 0; corner < 4; ++corner) {
     const bool is_cut = random.Chance(often_cut ? 0.85 : 0.12);
     const double cut_m = is_cut ? random.Uniform(2.2, 3.4) : 0.0;
-    const bool between_streets = block.is_street[i] && block.is_street[(i + 3) % 4];
-    if (!between_streets) {
+    if (!block.is_street[corner] || !block.is_street[(corner + 3) % 4]) {
       continue;
     }
-    block.lots_chamfer_m[i] = cut_m;
+    block.lots_chamfer_m[corner] = cut_m;
     if (near_path) {
-      block.island_chamfer_m[i] = ClearChamfer(block.island, corner, 0.0, kKerbClearance_m, path_m);
-      block.lots_chamfer_m[i] =
-          ClearChamfer(block.lots, corner, cut_m, kKerbClearance_m + kLeastPavement_m, path_m);
+      block.island_chamfer_m[corner] = ClearChamfer(block.island, corner, 0.0, kerb_m, path_m);
+      block.lots_chamfer_m[corner] = ClearChamfer(block.lots, corner, cut_m, front_m, path_m);
     }
   }
 }
@@ -163,7 +171,7 @@ Block MakeBlock(const Span& x, const Span& y, const std::array<double, 4>& pavem
   return block;
 }
 
-void AddBlocks(RandomStream random, StreetPlan& plan) {
+void AddBlocks(double narrowest_street_m, RandomStream random, StreetPlan& plan) {
   for (size_t i = 0; i + 1 < plan.streets_along_y.size(); ++i) {
     for (size_t j = 0; j + 1 < plan.streets_along_x.size(); ++j) {
       const Street& west = plan.streets_along_y[i];
@@ -181,8 +189,12 @@ void AddBlocks(RandomStream random, StreetPlan& plan) {
       if (block.lots.Size().minCoeff() < 0.0) {
         block.lots = {block.island.Center(), block.island.Center()};
       }
-      ChamferBlock(plan.drive_path_m, random, block);
-      plan.blocks.push_back(block);
+      ChamferBlock(plan.drive_path_m, narrowest_street_m, random, block);
+      // An island that no cut takes out of the way is left out.
+      if (DistanceToPath(ChamferedRect(block.island, block.island_chamfer_m), plan.drive_path_m) >=
+          kHalfCar_m) {
+        plan.blocks.push_back(block);
+      }
     }
   }
 }
@@ -217,54 +229,17 @@ void AddRim(StreetPlan& plan) {
                  Vec2d(x.high_m + kRimDepth_m, y.high_m + kRimDepth_m)};
 }
 
-void AppendStraight(const Vec2d& from_m,
-                    const Vec2d& to_m,
-                    double spacing_m,
-                    std::vector<Vec2d>& path_m) {
-  const int count = std::max(1, static_cast<int>(std::ceil((to_m - from_m).norm() / spacing_m)));
-  for (int i = 0; i <= count; ++i) {
-    path_m.emplace_back(from_m + (to_m - from_m) * (static_cast<double>(i) / count));
-  }
-}
-
-void AppendArc(const Vec2d& center_m,
-               double radius_m,
-               double from_rad,
-               double sign,
-               double spacing_m,
-               std::vector<Vec2d>& path_m) {
-  constexpr double kQuarter_rad = 0.5 * std::numbers::pi;
-  const int count = std::max(4, static_cast<int>(std::ceil(radius_m * kQuarter_rad / spacing_m)));
-  for (int i = 1; i < count; ++i) {
-    const double angle_rad = from_rad + kQuarter_rad * i / count;
-    path_m.emplace_back(center_m.x() + radius_m * std::cos(angle_rad),
-                        center_m.y() + sign * radius_m * std::sin(angle_rad));
-  }
-}
-
 }  // namespace
 
 std::vector<Vec2d> SampleDrivePath(const DriveSpec& drive, double spacing_m) {
-  const double sign = drive.turn == "right" ? -1.0 : 1.0;
-  const double radius_m = drive.corner_radius_m;
-  const double cross_x_m = drive.first_street_m + radius_m;
-  const double last_y_m = sign * (drive.cross_street_m + 2.0 * radius_m);
-  constexpr double kQuarter_rad = 0.5 * std::numbers::pi;
-  std::vector<Vec2d> path_m;
-  AppendStraight(Vec2d::Zero(), {drive.first_street_m, 0.0}, spacing_m, path_m);
-  AppendArc(
-      {drive.first_street_m, sign * radius_m}, radius_m, -kQuarter_rad, sign, spacing_m, path_m);
-  AppendStraight({cross_x_m, sign * radius_m},
-                 {cross_x_m, sign * (radius_m + drive.cross_street_m)},
-                 spacing_m,
-                 path_m);
-  AppendArc(
-      {drive.first_street_m, last_y_m - sign * radius_m}, radius_m, 0.0, sign, spacing_m, path_m);
-  AppendStraight({drive.first_street_m, last_y_m},
-                 {drive.first_street_m - drive.last_street_m, last_y_m},
-                 spacing_m,
-                 path_m);
-  return path_m;
+  const DrivePath path = MakeDrivePath(drive);
+  const int count = std::max(1, static_cast<int>(std::ceil(path.LengthM() / spacing_m)));
+  std::vector<Vec2d> points_m;
+  for (int i = 0; i <= count; ++i) {
+    const double way_m = path.LengthM() * i / count;
+    points_m.emplace_back(path.WorldFromCar(way_m).translation_m.head<2>());
+  }
+  return points_m;
 }
 
 double DistanceToPath(const std::vector<Vec2d>& polygon_m, const std::vector<Vec2d>& path_m) {
@@ -301,19 +276,19 @@ std::vector<Vec2d> ChamferedRect(const PlanRect& rect, const std::array<double, 
 }
 
 StreetPlan PlanStreets(const CanyonSpec& canyon, const DriveSpec& drive) {
-  CheckSpec(canyon, drive);
+  CheckSpec(canyon);
   StreetPlan plan;
   plan.drive_path_m = SampleDrivePath(drive, 0.5);
   const double cross_x_m = drive.first_street_m + drive.corner_radius_m;
   const double last_y_m =
       (drive.turn == "right" ? -1.0 : 1.0) * (drive.cross_street_m + 2.0 * drive.corner_radius_m);
-  const Span x{std::min(0.0, drive.first_street_m - drive.last_street_m), cross_x_m};
+  const Span x{std::min(-kBehindStart_m, drive.first_street_m - drive.last_street_m), cross_x_m};
   const Span y{std::min(0.0, last_y_m), std::max(0.0, last_y_m)};
   plan.streets_along_x =
       PlaceStreets({y.low_m, y.high_m}, y, canyon, {34.0, 52.0}, RandomStream({canyon.seed, 1}));
   plan.streets_along_y =
       PlaceStreets({cross_x_m}, x, canyon, {46.0, 72.0}, RandomStream({canyon.seed, 2}));
-  AddBlocks(RandomStream({canyon.seed, 3}), plan);
+  AddBlocks(canyon.street_width_m[0], RandomStream({canyon.seed, 3}), plan);
   AddRim(plan);
   return plan;
 }

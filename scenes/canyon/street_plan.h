@@ -67,10 +67,10 @@ struct StreetPlan {
   PlanRect extent;
 };
 
-/// Points of the U, from the origin along +X.
+/// Points of the U at most `spacing_m` apart, from the origin along +X.
 std::vector<Vec2d> SampleDrivePath(const DriveSpec& drive, double spacing_m);
 
-/// Throws InputError when the canyon's or the drive's figures make no city.
+/// Throws InputError when a figure of the canyon is out of its range.
 StreetPlan PlanStreets(const CanyonSpec& canyon, const DriveSpec& drive);
 
 /// The least distance between a path and a polygon (counter-clockwise); 0 where the path runs

@@ -25,6 +25,9 @@
 namespace pfseq {
 namespace {
 
+// The scene is written before each sequence: textures need not be small, but soon there.
+constexpr int kTexturePngLevel = 1;
+
 /// A colour below this would be taken for black by tinygltf; it is written as a brighter one of
 /// little strength.
 constexpr float kMinPlainEmission = 1e-6F;
@@ -117,7 +120,7 @@ class ModelBuilder {
       tinygltf::Texture texture;
       texture.source = idx;
       model_.textures.push_back(texture);
-      png_files_.push_back(EncodePng(source.texels));
+      png_files_.push_back(EncodePng(source.texels, kTexturePngLevel));
     }
   }
 

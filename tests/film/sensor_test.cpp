@@ -49,8 +49,8 @@ TEST(Sensor, ShoulderIsLinearToTheKneeAndSmoothThere) {
 TEST(Sensor, EncodesMiddleGreyAsSrgbDoes) {
   const Sensor sensor = MakeSensor("shoulder");
   EXPECT_EQ(EncodeGray(sensor, 0.0F), 0);
-  EXPECT_EQ(EncodeGray(sensor, 0.214041F), 128);  // 255 * 0.5 = 127.5 rounds up
-  EXPECT_EQ(EncodeGray(sensor, 0.2139F), 127);
+  EXPECT_EQ(EncodeGray(sensor, 0.21408F), 128);
+  EXPECT_EQ(EncodeGray(sensor, 0.21400F), 127);  // 0.21404 is 127.5 of 255
   EXPECT_EQ(EncodeGray(sensor, 0.18F), 118);
   EXPECT_EQ(EncodeGray(MakeSensor("clip"), 1.0F), 255);
 }

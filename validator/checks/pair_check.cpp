@@ -268,6 +268,9 @@ void CheckPairs(const CheckContext& context, CheckReport& report) {
     return;
   }
   const std::vector<MapPair> pairs = PairsOnDisk(context);
+  if (pairs.empty()) {
+    return;
+  }
   std::vector<Tally> totals;
   Progress progress("agreement between cameras", pairs.size(), context.options.quiet);
   for (const MapPair& pair : pairs) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validator/checks/scene_check.h"
 
+#include "tests/support/simple_scenes.h"
 #include "tests/validator/checks/finding_matchers.h"
 #include "tests/validator/checks/view_fixture.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +14,7 @@
 namespace pfseq {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
@@ -82,7 +85,7 @@ TEST_F(SceneCheck, ALensWhoseMapsAllFailIsEdited) {
     }
   });
   EXPECT_THAT(Check(CheckScene).findings,
-              testing::Contains(IsFault("rig.yaml", "lens equisolid: none of 4 distance maps")));
+              Contains(IsFault("rig.yaml", "lens equisolid: none of 4 distance maps")));
 }
 
 TEST_F(SceneCheck, AnotherSceneIsToldOnce) {
@@ -105,7 +108,7 @@ TEST_F(SceneCheck, AMapShiftedByHalfAPixelDoesNotShowTheScene) {
   sequence_.WriteView(
       folder_.Path(), ray_scene_, sequence_.rig.cameras[0], sequence_.rig.lenses[1], 1);
   EXPECT_THAT(Check(CheckScene).findings,
-              testing::Contains(IsFault(kFrontFile, "edited pose or damaged map")));
+              Contains(IsFault(kFrontFile, "edited pose or damaged map")));
 }
 
 TEST_F(SceneCheck, ASmallDamageIsFoundAndPlaced) {
@@ -125,6 +128,48 @@ TEST_F(SceneCheck, ASkyMaskThatContradictsTheSceneIsFound) {
   });
   EXPECT_THAT(Check(CheckScene).findings,
               ElementsAre(IsFault("equisolid/rear/sky/000001.png", "contradict scene.glb")));
+}
+
+/// Findings when the middle column of a map, cast at a low roof that ends at `edge_m` beside the
+/// column's rays, shows the sky above the roof's end instead.
+std::vector<Finding> FindingsWithMiddleColumnBesideEdge(float edge_m) {
+  constexpr int kOddSizePx = 49;
+  TestSequence sequence = TestSequence::Yard(kOddSizePx);
+  sequence.rig.cameras.pop_back();
+  sequence.rig.lenses.pop_back();
+  sequence.poses = {{0.0, {}}};
+  sequence.frames = {0};
+  sequence.scene = SceneOfMesh(Quad({-50.0F, -50.0F, 5.0F},
+                                    {edge_m, -50.0F, 5.0F},
+                                    {edge_m, 50.0F, 5.0F},
+                                    {-50.0F, 50.0F, 5.0F}));
+  const TempFolder folder;
+  sequence.Write(folder.Path());
+  const std::filesystem::path path =
+      ViewPath(folder.Path(), "equidistant", "front", Output::kDistance, 0);
+  Image<float> distance_m = ReadExr(path);
+  for (int y = 0; y < kOddSizePx; ++y) {
+    distance_m.At(kOddSizePx / 2, y) = std::numeric_limits<float>::infinity();
+  }
+  WriteFileAtomically(path, std::span<const std::byte>(EncodeExrFloat(distance_m)));
+
+  const SequenceReader reader(folder.Path());
+  const RayScene ray_scene(sequence.scene);
+  CheckReport report;
+  CheckContext context{reader, &ray_scene, CheckCompleteness(reader, report), {}};
+  context.options.quiet = true;
+  CheckScene(context, report);
+  return report.findings;
+}
+
+TEST(SceneCheckAtEdges, APixelOnAnEdgeMayShowEitherSide) {
+  EXPECT_THAT(FindingsWithMiddleColumnBesideEdge(0.0F), IsEmpty());
+  EXPECT_THAT(FindingsWithMiddleColumnBesideEdge(1e-6F), IsEmpty());  // 0.2 microradians.
+}
+
+TEST(SceneCheckAtEdges, APixelBesideAnEdgeMayNot) {
+  EXPECT_THAT(FindingsWithMiddleColumnBesideEdge(1e-3F),
+              Contains(IsFault("equidistant/front/distance/000000.exr", "differ")));
 }
 
 TEST_F(SceneCheck, LeavesUnreadableMapsToTheOtherChecks) {

@@ -51,10 +51,9 @@ TEST(OneToOne, ThenTheClosestOfThoseLeft) {
 }
 
 TEST(OneToOne, LimitIsADistanceNotItsSquare) {
-  // With a limit of 0.2 taken for its square, 0.3 m would pass; with 0.04 for the radius, 0.1 would
-  // not.
   EXPECT_EQ(OneToOneClosestFirst(OnALine({0.0}), OnALine({0.3}), 0.2).size(), 0U);
   EXPECT_EQ(OneToOneClosestFirst(OnALine({0.0}), OnALine({0.1}), 0.2).size(), 1U);
+  EXPECT_EQ(OneToOneClosestFirst(OnALine({0.0}), OnALine({1.9}), 2.0).size(), 1U);
 }
 
 TEST(OneToOne, PairsAtTheLimitAreNotCloser) {

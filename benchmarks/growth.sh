@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# How time and memory grow with frames, image size and triangles. Usage: benchmarks/growth.sh [PFSEQ_PROGRAM]
+# Prints wall seconds, CPU seconds and peak memory of whole runs (scene, acceleration structure and writing included).
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+pfseq=${1:-$root/build/release/pfseq}
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+# run LABEL FLAGS...: renders one camera with one lens
+run() {
+  local label=$1
+  shift
+  rm -rf "$out/sequence"
+  /usr/bin/time -f "%e %U %M" -o "$out/time" "$pfseq" render "$root/data/sequences/pfseq.yaml" --out "$out/sequence" \
+    --cameras front --lenses equisolid --set render.samples=4 --quiet "$@" >/dev/null
+  awk -v label="$label" '{ printf "%-34s %8.1f s wall %8.1f s CPU %8.0f MiB\n", label, $1, $2, $3 / 1024 }' "$out/time"
+}
+
+for frames in 1 4 16 64; do
+  run "$frames frames of 300 px" --set image.size_px=300 --frames 0:$frames
+done
+for size_px in 300 600 1200 2400; do
+  run "1 frame of $size_px px" --set image.size_px=$size_px --frames 0
+done
+while read -r detail blocks; do
+  triangles=$("$pfseq" scene "$root/data/sequences/pfseq.yaml" --stats --set scene.canyon.detail=$detail \
+    --set scene.canyon.surrounding_blocks=$blocks | awk '/^triangles:/ { print $2 }')
+  run "1 frame of 600 px, $triangles triangles" --set image.size_px=600 --frames 0 --set scene.canyon.detail=$detail \
+    --set scene.canyon.surrounding_blocks=$blocks
+done <<< "0 1
+1 2
+2 2
+2 4"
