@@ -33,6 +33,8 @@ class OpenCvThreads {
   ~OpenCvThreads() { cv::setNumThreads(previous_); }
   OpenCvThreads(const OpenCvThreads&) = delete;
   OpenCvThreads& operator=(const OpenCvThreads&) = delete;
+  OpenCvThreads(OpenCvThreads&&) = delete;
+  OpenCvThreads& operator=(OpenCvThreads&&) = delete;
 
  private:
   int previous_;
@@ -77,7 +79,7 @@ std::vector<int> ChooseFrames(const SequenceReader& reader,
                               const std::string& lens,
                               const std::array<std::string, 2>& cameras,
                               const std::vector<int>& wanted) {
-  const std::vector<int> complete = CompleteFrames(reader, lens, cameras);
+  std::vector<int> complete = CompleteFrames(reader, lens, cameras);
   if (wanted.empty()) {
     return complete;
   }

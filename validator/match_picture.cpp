@@ -16,8 +16,9 @@ constexpr size_t kMaxLines = 200;
 // Sub-pixel drawing of OpenCV: coordinates in 1/16 pixel.
 constexpr int kShift = 4;
 
-const cv::Scalar kCorrectColor(60, 220, 60);
-const cv::Scalar kWrongColor(230, 50, 50);
+cv::Scalar ColorOf(bool is_correct) {
+  return is_correct ? cv::Scalar(60, 220, 60) : cv::Scalar(230, 50, 50);
+}
 
 bool IsCorrect(const JudgedMatch& match) { return match.distance_m < kPictureToleranceM; }
 
@@ -51,7 +52,7 @@ Image<uint8_t> MatchPicture(const Image<uint8_t>& first_rgb,
   const size_t num_correct = std::count_if(matches.begin(), matches.end(), IsCorrect);
   const size_t step = std::max<size_t>(1, (matches.size() + kMaxLines - 1) / kMaxLines);
   for (const bool correct : {false, true}) {  // Correct ones on top.
-    const cv::Scalar& color = correct ? kCorrectColor : kWrongColor;
+    const cv::Scalar color = ColorOf(correct);
     for (size_t i = 0; i < matches.size(); ++i) {
       if (IsCorrect(matches[i]) != correct) {
         continue;

@@ -108,7 +108,16 @@ std::string ReadFile(const std::filesystem::path& path) {
   if (!stream) {
     throw InputError("cannot read {}: {}", path.string(), ReasonOf(errno));
   }
-  std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  std::error_code no_size;
+  const uintmax_t size_bytes = std::filesystem::file_size(path, no_size);
+  std::string bytes;
+  if (no_size) {
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});  // a pipe, for example
+  } else {
+    bytes.resize(size_bytes);
+    stream.read(bytes.data(), static_cast<std::streamsize>(size_bytes));
+    bytes.resize(static_cast<size_t>(stream.gcount()));
+  }
   if (stream.bad()) {
     throw InputError("cannot read {}: {}", path.string(), ReasonOf(errno));
   }

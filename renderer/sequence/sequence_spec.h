@@ -152,11 +152,11 @@ struct LightSpec {
 struct RenderSpec {
   uint64_t seed = 1;
   /// Paths per pixel.
-  int samples = 32;
+  int samples = 16;
   /// Scattering events along a path at most.
   int max_bounces = 6;
   /// Least roughness of surfaces that a path meets after its first one; 0: no bias.
-  double min_indirect_roughness = 0.0;
+  double min_indirect_roughness = 0.3;
 
   bool operator==(const RenderSpec&) const = default;
 };

@@ -73,7 +73,7 @@ void BuildRailing(const BuildContext& context,
                kFaceLeft | kFaceRight | kFaceTop | kFaceBottom);
       }
     } else {
-      for (const double side_m : {left_m + 0.03, right_m - 0.03}) {
+      for (const double side_m : {left_m + 0.02, right_m - 0.02}) {
         AddBox(builder,
                material_idx,
                facade,

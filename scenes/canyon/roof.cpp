@@ -165,7 +165,7 @@ void FurnishLevelRoof(const BuildContext& context,
                    roof_m - kSunk_m,
                    top_m,
                    random);
-      BuildAntenna(context, Lift(center_m + Vec2d(0.7, 0.0), roof_m - kSunk_m), random);
+      BuildAntenna(context, Lift(center_m + Vec2d(1.1, 0.0), roof_m - kSunk_m), random);
     }
   }
 }

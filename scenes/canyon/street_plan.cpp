@@ -15,6 +15,7 @@ namespace {
 /// The city must end within this distance of the drive's bounding box.
 constexpr double kGreatestReach_m = 440.0;
 constexpr double kRimDepth_m = 14.0;
+constexpr double kRimApron_m = 0.5;
 /// From the drive's centre line: half a car and a margin to the kerb, and the pavement that is left
 /// at the least.
 constexpr double kKerbClearance_m = 1.6;
@@ -212,21 +213,33 @@ void AddRim(StreetPlan& plan) {
   constexpr double kSlot_m = 0.05;
   const Span y_long{y.low_m - kOverlap_m, y.high_m + kOverlap_m};
   const Span x_short{x.low_m + kSlot_m, x.high_m - kSlot_m};
-  const auto add = [&](const Span& sx, const Span& sy, BlockEdge edge, double pavement_m) {
-    std::array<double, 4> pavements_m = {};
-    pavements_m[edge] = pavement_m;
-    Block block = MakeBlock(sx, sy, pavements_m);
+  // Pavements reach under the houses and a little beyond; they meet without overlapping.
+  const double back_m = kRimDepth_m + kRimApron_m;
+  const double west_kerb_m = x.low_m + west.pavement_m;
+  const double east_kerb_m = x.high_m - east.pavement_m;
+  const auto add = [&](const PlanRect& lots, const PlanRect& island, BlockEdge edge) {
+    Block block;
+    block.lots = lots;
+    block.island = island;
     block.is_street = {};
     block.is_street[edge] = true;
     block.is_rim = true;
     plan.blocks.push_back(block);
   };
-  add({x.low_m - kRimDepth_m, x.low_m}, y_long, kEast, west.pavement_m);
-  add({x.high_m, x.high_m + kRimDepth_m}, y_long, kWest, east.pavement_m);
-  add(x_short, {y.low_m - kRimDepth_m, y.low_m}, kNorth, south.pavement_m);
-  add(x_short, {y.high_m, y.high_m + kRimDepth_m}, kSouth, north.pavement_m);
-  plan.extent = {Vec2d(x.low_m - kRimDepth_m, y.low_m - kRimDepth_m),
-                 Vec2d(x.high_m + kRimDepth_m, y.high_m + kRimDepth_m)};
+  add({{x.low_m - kRimDepth_m, y_long.low_m}, {x.low_m, y_long.high_m}},
+      {{x.low_m - back_m, y.low_m - back_m}, {west_kerb_m, y.high_m + back_m}},
+      kEast);
+  add({{x.high_m, y_long.low_m}, {x.high_m + kRimDepth_m, y_long.high_m}},
+      {{east_kerb_m, y.low_m - back_m}, {x.high_m + back_m, y.high_m + back_m}},
+      kWest);
+  add({{x_short.low_m, y.low_m - kRimDepth_m}, {x_short.high_m, y.low_m}},
+      {{west_kerb_m, y.low_m - back_m}, {east_kerb_m, y.low_m + south.pavement_m}},
+      kNorth);
+  add({{x_short.low_m, y.high_m}, {x_short.high_m, y.high_m + kRimDepth_m}},
+      {{west_kerb_m, y.high_m - north.pavement_m}, {east_kerb_m, y.high_m + back_m}},
+      kSouth);
+  plan.extent = {Vec2d(x.low_m - back_m, y.low_m - back_m),
+                 Vec2d(x.high_m + back_m, y.high_m + back_m)};
 }
 
 }  // namespace

@@ -151,6 +151,8 @@ bool ReadWholeFile(std::vector<unsigned char>* out,
   return true;
 }
 
+// The parameters are those of tinygltf's call-back.
+// NOLINTNEXTLINE(readability-function-size)
 bool KeepImageBytes(tinygltf::Image* image,
                     int,
                     std::string*,
@@ -189,7 +191,7 @@ tinygltf::Model ReadGltfDocument(const std::filesystem::path& path) {
   if (!is_glb && path.extension() == ".glb") {
     throw InputError("{}: does not begin with 'glTF', as a GLB file must", origin);
   }
-  const std::string_view json = is_glb ? GlbJson(bytes, origin) : std::string_view(bytes);
+  const std::string_view json = is_glb ? GlbJson(bytes, origin) : std::string_view{bytes};
   const nlohmann::json root = ParseJson(json, origin);
   CheckGltfJson(root, is_glb, origin);
 

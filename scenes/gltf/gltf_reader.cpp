@@ -126,8 +126,9 @@ class SceneBuilder {
     };
     std::vector<Entry> stack;
     const auto push = [&](const std::vector<int>& nodes, const Eigen::Affine3d& world_from_parent) {
-      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-        stack.push_back({*node, world_from_parent});
+      // The last on the stack is taken first.
+      for (size_t i = nodes.size(); i > 0; --i) {
+        stack.push_back({nodes[i - 1], world_from_parent});
       }
     };
     push(RootNodes(), Eigen::Affine3d::Identity());

@@ -175,7 +175,7 @@ class Checker : private JsonChecker {
          {"MAT2", 2 * column_size(2)},
          {"MAT3", 3 * column_size(3)},
          {"MAT4", 4 * column_size(4)}}};
-    const auto found =
+    const auto* const found =
         std::ranges::find(sizes, type, [](const auto& entry) { return entry.first; });
     if (found == sizes.end()) {
       Fail(place.path + ".type", fmt::format("'{:.20}' is not an accessor type", type));

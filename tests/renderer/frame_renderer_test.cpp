@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/frame_renderer.h"
 
-#include <gtest/gtest.h>
+#include "renderer/core/units.h"
+#include "tests/support/simple_scenes.h"
 
 #include <numbers>
 #include <optional>
 
-#include "renderer/core/units.h"
-#include "tests/support/simple_scenes.h"
+#include <gtest/gtest.h>
 
 namespace pfseq {
 namespace {
@@ -20,7 +20,10 @@ class ConstantSkyTest : public testing::Test {
   ConstantSkyTest()
       : rays_(SceneOfMesh(Quad({-1, -1, -50}, {1, -1, -50}, {1, 1, -50}, {-1, 1, -50}))),
         tracer_(rays_, ConstantSky(), PathTracerOptions{}),
-        lens_(Equidistant{}, Vec2d::Constant(FocalPx()), Vec2d::Constant(0.5 * kSizePx), RadFromDeg(90.0)) {}
+        lens_(Equidistant{},
+              Vec2d::Constant(FocalPx()),
+              Vec2d::Constant(0.5 * kSizePx),
+              RadFromDeg(90.0)) {}
 
   static Lighting ConstantSky() {
     LightSpec light;
@@ -59,7 +62,6 @@ TEST_F(ConstantSkyTest, IsTheSkyInsideTheCircleBlackOutsideAndCoverageOnItsEdge)
   // The area of the circle of 48 px, from the share of samples inside it.
   EXPECT_NEAR(area_px, std::numbers::pi * 24.0 * 24.0, 1.0);
 }
-
 
 /// A street of two walls: its noise tells which random numbers were used.
 class NoisyWallsTest : public ConstantSkyTest {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance maps against closed forms: every pixel within the image circle, both lenses of the default sequence, front
-// camera and rotated rear camera.
+// Distance maps against closed forms: every pixel within the image circle, both lenses of the
+// default sequence, front camera and rotated rear camera.
 #include "renderer/ground_truth.h"
 
-#include <gtest/gtest.h>
+#include "renderer/core/error.h"
+#include "renderer/core/units.h"
+#include "renderer/lens/camera_rig.h"
+#include "renderer/lens/trajectory.h"
+#include "tests/support/simple_scenes.h"
 
 #include <cmath>
 #include <functional>
@@ -11,11 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/core/error.h"
-#include "renderer/core/units.h"
-#include "renderer/lens/camera_rig.h"
-#include "renderer/lens/trajectory.h"
-#include "tests/support/simple_scenes.h"
+#include <gtest/gtest.h>
 
 namespace pfseq {
 namespace {
@@ -38,11 +38,12 @@ Lens MakeLens(const LensModel& model, double circle_px) {
 
 std::vector<Viewer> Viewers() {
   const RigidTransform world_from_rig = PoseFromYaw(Vec3d(3.0, -2.0, 1.6), RadFromDeg(33.0));
-  const RigidTransform rig_from_rear{RotationFromXzy({RadFromDeg(-8.0), RadFromDeg(6.0), RadFromDeg(-7.0)}),
-                                     Vec3d(-2.0, 0.0, 0.0)};
+  const RigidTransform rig_from_rear{
+      RotationFromXzy({RadFromDeg(-8.0), RadFromDeg(6.0), RadFromDeg(-7.0)}),
+      Vec3d(-2.0, 0.0, 0.0)};
   std::vector<Viewer> viewers;
-  for (const auto& [model, circle_px] :
-       {std::pair<LensModel, double>(Equidistant{}, 301.0), std::pair<LensModel, double>(Equisolid{}, 281.9)}) {
+  for (const auto& [model, circle_px] : {std::pair<LensModel, double>(Equidistant{}, 301.0),
+                                         std::pair<LensModel, double>(Equisolid{}, 281.9)}) {
     const Lens lens = MakeLens(model, circle_px);
     viewers.push_back({lens.ModelName() + " front", lens, world_from_rig});
     viewers.push_back({lens.ModelName() + " rear", lens, world_from_rig * rig_from_rear});
@@ -50,7 +51,8 @@ std::vector<Viewer> Viewers() {
   return viewers;
 }
 
-/// Compares each pixel with the closed form of the distance along a ray (origin, unit direction, world frame).
+/// Compares each pixel with the closed form of the distance along a ray (origin, unit direction,
+/// world frame).
 void ExpectClosedForm(std::shared_ptr<const Scene> scene,
                       const std::function<double(const Vec3d&, const Vec3d&)>& expected_m) {
   const RayScene rays(std::move(scene));
@@ -68,8 +70,8 @@ void ExpectClosedForm(std::shared_ptr<const Scene> scene,
           continue;
         }
         ++num_inside;
-        const double distance_m =
-            expected_m(viewer.world_from_camera.translation_m, viewer.world_from_camera.Direction(*direction));
+        const double distance_m = expected_m(viewer.world_from_camera.translation_m,
+                                             viewer.world_from_camera.Direction(*direction));
         const double mapped_m = truth.distance_m.At(x, y);
         ASSERT_EQ(std::isinf(mapped_m), distance_m > 500.0) << viewer.name << " " << x << "," << y;
         ASSERT_EQ(truth.sky.At(x, y), std::isinf(distance_m) ? 255 : 0);
@@ -80,18 +82,24 @@ void ExpectClosedForm(std::shared_ptr<const Scene> scene,
     }
     EXPECT_GT(num_inside, 60000) << viewer.name;
     EXPECT_LE(worst, kTolerance) << viewer.name;
-    testing::Test::RecordProperty("worst relative error " + viewer.name, fmt::format("{:.2e}", worst));
+    testing::Test::RecordProperty("worst relative error " + viewer.name,
+                                  fmt::format("{:.2e}", worst));
   }
 }
 
 TEST(GroundTruth, PlaneOverheadMatchesTheClosedFormAndEndsAt500Metres) {
-  // A ceiling at z = 12.5, 20 km wide: rays near the horizon meet it beyond 500 m, those below it never.
+  // A ceiling at z = 12.5, 20 km wide: rays near the horizon meet it beyond 500 m, those below it
+  // never.
   constexpr float kHalf = 10000.0F;
-  const Mesh ceiling = Quad({-kHalf, -kHalf, 12.5F}, {-kHalf, kHalf, 12.5F}, {kHalf, kHalf, 12.5F}, {kHalf, -kHalf, 12.5F});
+  const Mesh ceiling = Quad({-kHalf, -kHalf, 12.5F},
+                            {-kHalf, kHalf, 12.5F},
+                            {kHalf, kHalf, 12.5F},
+                            {kHalf, -kHalf, 12.5F});
   ExpectClosedForm(SceneOfMesh(ceiling), [](const Vec3d& origin_m, const Vec3d& direction) {
     const double distance_m = (12.5 - origin_m.z()) / direction.z();
     const Vec3d point_m = origin_m + distance_m * direction;
-    const bool meets = direction.z() > 0.0 && std::abs(point_m.x()) < kHalf && std::abs(point_m.y()) < kHalf;
+    const bool meets =
+        direction.z() > 0.0 && std::abs(point_m.x()) < kHalf && std::abs(point_m.y()) < kHalf;
     return meets ? distance_m : kInfinity;
   });
 }
@@ -113,21 +121,26 @@ TEST(GroundTruth, BoxMatchesTheClosedForm) {
 }
 
 TEST(GroundTruth, SphereMatchesTheClosedForm) {
-  // 1000 rings: the chords are short of the sphere by at most (1 - cos(pi / 1000)) = 4.9e-6 of the radius.
+  // 1000 rings: the chords are short of the sphere by at most (1 - cos(pi / 1000)) = 4.9e-6 of the
+  // radius.
   const Vec3f center_m(2.0F, -3.0F, 4.0F);
   constexpr double kRadiusM = 20.0;
-  ExpectClosedForm(SphereScene(center_m, kRadiusM, 1000), [&](const Vec3d& origin_m, const Vec3d& direction) {
-    const Vec3d to_center_m = center_m.cast<double>() - origin_m;
-    const double along_m = to_center_m.dot(direction);
-    return along_m + std::sqrt(kRadiusM * kRadiusM - to_center_m.squaredNorm() + along_m * along_m);
-  });
+  ExpectClosedForm(
+      SphereScene(center_m, kRadiusM, 1000), [&](const Vec3d& origin_m, const Vec3d& direction) {
+        const Vec3d to_center_m = center_m.cast<double>() - origin_m;
+        const double along_m = to_center_m.dot(direction);
+        return along_m +
+               std::sqrt(kRadiusM * kRadiusM - to_center_m.squaredNorm() + along_m * along_m);
+      });
 }
 
 TEST(GroundTruth, DoesNotDependOnThreads) {
   const RayScene rays(BoxScene(Vec3f(-7, -9, -1), Vec3f(12, 6, 31)));
   const Viewer viewer = Viewers().back();
-  const GroundTruth one = RenderGroundTruth(rays, viewer.lens, viewer.world_from_camera, 99, 99, 500.0, 1);
-  const GroundTruth three = RenderGroundTruth(rays, viewer.lens, viewer.world_from_camera, 99, 99, 500.0, 3);
+  const GroundTruth one =
+      RenderGroundTruth(rays, viewer.lens, viewer.world_from_camera, 99, 99, 500.0, 1);
+  const GroundTruth three =
+      RenderGroundTruth(rays, viewer.lens, viewer.world_from_camera, 99, 99, 500.0, 3);
   EXPECT_EQ(one.distance_m, three.distance_m);
   EXPECT_EQ(one.sky, three.sky);
 }

@@ -21,9 +21,10 @@ namespace pfseq {
 namespace {
 
 constexpr double kRelativeTolerance = 1e-5;
-/// A ray that passes an edge closer than this may fall on either side of it by rounding alone: far
-/// below a pixel.
-constexpr double kEdgeRad = 1e-6;
+/// A ray that passes an edge closer than this may fall on either side of it by rounding alone (the
+/// ray tracer's float arithmetic widens a large triangle by some micrometres). A pixel of a 1200 px
+/// image is 260 times as wide.
+constexpr double kEdgeRad = 1e-5;
 /// A map shows a view when no more than this share of its pixels contradicts.
 constexpr double kShowsShare = 0.99;
 /// With more agreement than this a map alone is taken for a damaged one of the right view.
@@ -190,7 +191,7 @@ struct JudgedView {
   }
 };
 
-/// What view a map shows, of all that the sequence has; nothing when none fits.
+/// What other view a map shows, of all that the sequence has; nothing when none fits.
 std::optional<std::string> FindOtherView(const CheckContext& context,
                                          const CheckedView& view,
                                          const MapCaster& caster) {
@@ -198,6 +199,9 @@ std::optional<std::string> FindOtherView(const CheckContext& context,
     for (const std::string& camera : context.reader.Cameras()) {
       for (size_t frame = 0; frame < context.reader.Poses().size(); ++frame) {
         const int frame_idx = static_cast<int>(frame);
+        if (lens == view.lens && camera == view.camera && frame_idx == view.frame) {
+          continue;
+        }
         const Station station{&context.reader.LensOf(lens),
                               context.reader.WorldFromCamera(camera, frame_idx)};
         if (caster.QuickAgreement(station) >= kShowsShare) {

@@ -7,18 +7,20 @@
 #include "scenes/canyon/build_context.h"
 #include "scenes/canyon/building.h"
 #include "scenes/canyon/city.h"
-
-#include <fmt/format.h>
+#include "scenes/canyon/street_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace pfseq {
 
@@ -51,13 +53,26 @@ inline Palette PlainPalette() {
   choices(palette.spandrel, "spandrel", 1);
   choices(palette.roof_tile, "roof_tile", 1);
   choices(palette.slate, "slate", 1);
-  for (int* member :
-       {&palette.roof_metal,    &palette.roof_gravel,  &palette.coping,     &palette.chimney_pot,
-        &palette.railing,       &palette.pale_metal,   &palette.gutter,     &palette.roller_blind,
-        &palette.window_glass,  &palette.window_framed, &palette.shop_glass, &palette.sign,
-        &palette.facade_glass,  &palette.curtain_wall, &palette.asphalt,    &palette.pavement,
-        &palette.kerb,          &palette.marking,      &palette.manhole}) {
-    *member = add("material");
+  for (int* member : {&palette.roof_metal,
+                      &palette.roof_gravel,
+                      &palette.coping,
+                      &palette.chimney_pot,
+                      &palette.railing,
+                      &palette.pale_metal,
+                      &palette.gutter,
+                      &palette.roller_blind,
+                      &palette.window_glass,
+                      &palette.window_framed,
+                      &palette.shop_glass,
+                      &palette.sign,
+                      &palette.facade_glass,
+                      &palette.curtain_wall,
+                      &palette.asphalt,
+                      &palette.pavement,
+                      &palette.kerb,
+                      &palette.marking,
+                      &palette.manhole}) {
+    *member = add(fmt::format("single_{}", palette.materials.size()));
   }
   return palette;
 }
@@ -136,59 +151,188 @@ inline Vec3d RandomDirection(RandomStream& random, double least_z) {
   return {across * std::cos(angle_rad), across * std::sin(angle_rad), z};
 }
 
-/// What rays from given points find wrong.
-struct RayFaults {
-  int num_rays = 0;
-  int num_back_faces = 0;
-  /// A second triangle of the same facing within 0.1 mm.
-  int num_overlaps = 0;
-  std::string first;
-
-  void Note(const std::string& text) {
-    if (first.empty()) {
-      first = text;
-    }
-  }
+/// What is wrong with a scene's surfaces, in words.
+struct SurfaceFaults {
+  int num_checked = 0;
+  std::vector<std::string> texts;
 };
 
-inline RayFaults ShootRays(const RayScene& rays, const std::vector<Vec3d>& origins_m,
-                           int num_each, double least_z, uint64_t seed) {
-  constexpr double kSamePlace_m = 1e-4;
-  RayFaults faults;
-  RandomStream random(seed);
+/// Rays that meet the back of a surface first: holes or wrong winding.
+inline SurfaceFaults FindBackFaces(const RayScene& rays,
+                                   const std::vector<Vec3d>& origins_m,
+                                   int num_each,
+                                   double least_z) {
+  SurfaceFaults faults;
+  RandomStream random(99);
   for (const Vec3d& origin_m : origins_m) {
     for (int i = 0; i < num_each; ++i) {
       const Vec3d direction = RandomDirection(random, least_z);
       const auto hit = rays.Intersect(origin_m, direction);
-      ++faults.num_rays;
-      if (!hit) {
-        continue;
-      }
-      const Vec3d at_m = origin_m + hit->distance_m * direction;
-      const std::string place =
-          fmt::format("{} at ({:.3f}, {:.3f}, {:.3f}) from ({:.2f}, {:.2f}, {:.2f})",
-                      rays.PlainScene().meshes[hit->mesh_idx].name, at_m.x(), at_m.y(), at_m.z(),
-                      origin_m.x(), origin_m.y(), origin_m.z());
-      const double cosine = hit->geometric_normal.dot(direction);
-      if (cosine > 0.0) {
-        ++faults.num_back_faces;
-        faults.Note("back face of " + place);
-        continue;
-      }
-      // Just behind the hit, along the normal: at grazing incidence a hair's depth is a long way.
-      const double step_m = kSamePlace_m / std::max(0.05, -cosine);
-      const auto next = rays.Intersect(at_m + 1e-6 * direction, direction, step_m);
-      const bool is_overlap =
-          next && std::abs(next->geometric_normal.dot(hit->geometric_normal)) > 0.999;
-      if (is_overlap &&
-          (next->mesh_idx != hit->mesh_idx || next->triangle_idx != hit->triangle_idx)) {
-        ++faults.num_overlaps;
-        faults.Note("overlap behind " + place + " with " +
-                    rays.PlainScene().meshes[next->mesh_idx].name);
+      ++faults.num_checked;
+      if (hit && hit->geometric_normal.dot(direction) > 0.0) {
+        const Vec3d at_m = origin_m + hit->distance_m * direction;
+        faults.texts.push_back(
+            fmt::format("back of {} at ({:.3f}, {:.3f}, {:.3f}) from ({:.2f}, {:.2f}, {:.2f})",
+                        rays.PlainScene().meshes[hit->mesh_idx].name,
+                        at_m.x(),
+                        at_m.y(),
+                        at_m.z(),
+                        origin_m.x(),
+                        origin_m.y(),
+                        origin_m.z()));
       }
     }
   }
   return faults;
+}
+
+/// A triangle in a plane, seen along the axis that the plane faces most.
+struct FlatTriangle {
+  std::array<Vec2d, 3> corners_m;
+  double low_m = 0.0;
+  double high_m = 0.0;
+  Vec3d normal = Vec3d::UnitZ();
+  Vec3d center_m = Vec3d::Zero();
+  std::string where;
+
+  /// True when the point lies inside, a millimetre or more from each edge.
+  bool Holds(const Vec2d& point_m) const {
+    const auto cross = [](const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); };
+    const double area = cross(corners_m[1] - corners_m[0], corners_m[2] - corners_m[0]);
+    const double sign = area > 0.0 ? 1.0 : -1.0;
+    for (size_t i = 0; i < 3; ++i) {
+      const Vec2d edge_m = corners_m[(i + 1) % 3] - corners_m[i];
+      if (sign * cross(edge_m, point_m - corners_m[i]) < 1e-3 * edge_m.norm()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool Overlaps(const FlatTriangle& other) const {
+    constexpr double kSamePlane_m = 1e-4;
+    if (std::abs(normal.dot(other.center_m - center_m)) > kSamePlane_m) {
+      return false;
+    }
+    for (size_t i = 0; i < 4; ++i) {
+      std::array<double, 3> weights = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
+      if (i < 3) {
+        weights = {0.1, 0.1, 0.1};
+        weights[i] = 0.8;
+      }
+      const Vec2d point_m =
+          weights[0] * corners_m[0] + weights[1] * corners_m[1] + weights[2] * corners_m[2];
+      if (other.Holds(point_m)) {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+/// Pairs of triangles that lie on one another in one plane (within 0.1 mm) and face the same way.
+inline SurfaceFaults FindOverlaps(const Scene& scene) {
+  constexpr double kPlane_m = 1e-4;
+  using PlaneKey = std::array<int64_t, 4>;
+  std::map<PlaneKey, std::vector<FlatTriangle>> planes;
+  for (const Mesh& mesh : scene.meshes) {
+    for (const auto& corners : mesh.triangles) {
+      std::array<Vec3d, 3> points_m;
+      for (size_t i = 0; i < 3; ++i) {
+        points_m[i] = mesh.positions_m[corners[i]].cast<double>();
+      }
+      const Vec3d normal =
+          (points_m[1] - points_m[0]).cross(points_m[2] - points_m[0]).normalized();
+      int axis = 0;
+      normal.cwiseAbs().maxCoeff(&axis);
+      const double offset_m = normal.dot(points_m[0]);
+      FlatTriangle flat;
+      flat.normal = normal;
+      flat.center_m = (points_m[0] + points_m[1] + points_m[2]) / 3.0;
+      for (size_t i = 0; i < 3; ++i) {
+        flat.corners_m[i] = {points_m[i][(axis + 1) % 3], points_m[i][(axis + 2) % 3]};
+      }
+      const auto [low, high] =
+          std::minmax({flat.corners_m[0].x(), flat.corners_m[1].x(), flat.corners_m[2].x()});
+      flat.low_m = low;
+      flat.high_m = high;
+      flat.where = fmt::format("{} near ({:.3f}, {:.3f}, {:.3f})",
+                               mesh.name,
+                               points_m[0].x(),
+                               points_m[0].y(),
+                               points_m[0].z());
+      planes[{std::llround(1e3 * normal.x()),
+              std::llround(1e3 * normal.y()),
+              std::llround(1e3 * normal.z()),
+              std::llround(offset_m / kPlane_m)}]
+          .push_back(flat);
+    }
+  }
+  SurfaceFaults faults;
+  for (auto& [key, triangles] : planes) {
+    std::sort(triangles.begin(), triangles.end(), [](const FlatTriangle& a, const FlatTriangle& b) {
+      return a.low_m < b.low_m;
+    });
+    for (size_t i = 0; i < triangles.size(); ++i) {
+      ++faults.num_checked;
+      for (size_t j = i + 1; j < triangles.size() && triangles[j].low_m < triangles[i].high_m;
+           ++j) {
+        if (triangles[i].Overlaps(triangles[j]) || triangles[j].Overlaps(triangles[i])) {
+          faults.texts.push_back(triangles[i].where + " overlaps " + triangles[j].where);
+        }
+      }
+    }
+  }
+  return faults;
+}
+
+/// Rays towards a front in the plane y = 0 (out is -Y) that miss it or meet a back face; they come
+/// from all sides at up to 60 degrees and aim at [0, width] x [low, high] on the plane.
+inline SurfaceFaults FindHoles(const Scene& scene, double width_m, double low_m, double high_m) {
+  constexpr double kMargin_m = 0.01;
+  const RayScene rays(std::make_shared<const Scene>(scene));
+  SurfaceFaults faults;
+  RandomStream random(77);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3d target_m(random.Uniform(kMargin_m, width_m - kMargin_m),
+                         0.0,
+                         random.Uniform(low_m + kMargin_m, high_m - kMargin_m));
+    const Vec3d back =
+        Vec3d(random.Uniform(-1.5, 1.5), -1.0, random.Uniform(-1.5, 1.5)).normalized();
+    const auto hit = rays.Intersect(target_m + 20.0 * back, -back);
+    ++faults.num_checked;
+    if (!hit || hit->geometric_normal.dot(back) < 0.0) {
+      faults.texts.push_back(fmt::format(
+          "{} at ({:.3f}, {:.3f})", hit ? "back face" : "hole", target_m.x(), target_m.z()));
+    }
+  }
+  return faults;
+}
+
+/// A house of 14 x 11 m with its street to the south, along X.
+inline Building RowHouse(const Palette& palette, FacadeStyle style, uint64_t seed, double detail) {
+  Lot lot;
+  lot.footprint_m = {{0, 0}, {14, 0}, {14, 11}, {0, 11}};
+  lot.edges = {EdgeKind::kStreet, EdgeKind::kParty, EdgeKind::kCourt, EdgeKind::kParty};
+  CanyonSpec canyon;
+  canyon.detail = detail;
+  for (;; ++seed) {
+    const Building house = DesignBuilding(lot, canyon, {0.5, 0.5}, palette, seed);
+    if (house.style == style) {
+      return house;
+    }
+  }
+}
+
+/// Points at eye height along the drive and beside it, over the carriageway.
+inline std::vector<Vec3d> EyesAlongDrive(const DriveSpec& drive, double spacing_m) {
+  std::vector<Vec3d> eyes_m;
+  for (const Vec2d& point_m : SampleDrivePath(drive, spacing_m)) {
+    for (const double height_m : {0.6, 1.6, 2.0}) {
+      eyes_m.emplace_back(point_m.x(), point_m.y(), height_m);
+    }
+  }
+  return eyes_m;
 }
 
 }  // namespace pfseq

@@ -95,6 +95,15 @@ TEST_F(PairCheck, NoticesOneWrongPixelInTheCounts) {
   EXPECT_LE(num_disagreeing, 10U);
 }
 
+TEST_F(PairCheck, OnePercentOfWrongPixelsIsAFault) {
+  EditDistance(folder_ / kRearFile, [](Image<float>& distance_m) {
+    for (int x = 16; x < 32; ++x) {
+      distance_m.At(x, 40) *= 1.01F;
+    }
+  });
+  EXPECT_THAT(Check(CheckPairs).findings, Contains(IsFault(kFrontFile, "expected 99.9 %")));
+}
+
 TEST_F(PairCheck, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(Check(CheckPairs, 1).Text(), Check(CheckPairs, 3).Text());
 }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/canyon/street_surface.h"
+
+#include "tests/scenes/canyon/canyon_test_support.h"
+
+#include <gtest/gtest.h>
+
+namespace pfseq {
+namespace {
+
+TEST(StreetSurface, CarriagewayLiesAtZeroUnderTheWholeDrive) {
+  PartBench bench;
+  const StreetPlan plan = PlanStreets({}, {});
+  BuildCarriageways(bench.Context(), plan);
+  for (const Block& block : plan.blocks) {
+    BuildPavement(bench.Context(), block);
+  }
+  const Scene scene = bench.TakeScene();
+  EXPECT_TRUE(FindOverlaps(scene).texts.empty()) << FindOverlaps(scene).texts.front();
+  const RayScene rays(std::make_shared<const Scene>(scene));
+  for (const Vec2d& point_m : plan.drive_path_m) {
+    for (const double side_m : {-1.0, 0.0, 1.0}) {
+      const auto hit =
+          rays.Intersect({point_m.x() + side_m, point_m.y() + side_m, 10.0}, -Vec3d::UnitZ());
+      ASSERT_TRUE(hit);
+      // Asphalt, or paint 4 mm above it.
+      EXPECT_NEAR(hit->distance_m, 9.998, 0.003);
+    }
+  }
+}
+
+TEST(StreetSurface, KerbIsAStepOfTwelveCentimetres) {
+  PartBench bench;
+  Block block;
+  block.island = {{0, 0}, {40, 30}};
+  BuildPavement(bench.Context(), block);
+  const RayScene rays(std::make_shared<const Scene>(bench.TakeScene()));
+  const auto top = rays.Intersect({20, 0.1, 10.0}, -Vec3d::UnitZ());
+  const auto face = rays.Intersect({20, -5.0, 0.06}, Vec3d::UnitY());
+  ASSERT_TRUE(top && face);
+  EXPECT_NEAR(10.0 - top->distance_m, 0.12, 1e-6);
+  EXPECT_NEAR(face->distance_m, 5.0, 1e-6);
+  // Corners are round: the very corner is carriageway.
+  EXPECT_FALSE(rays.Intersect({0.3, 0.3, 10.0}, -Vec3d::UnitZ()));
+}
+
+TEST(StreetSurface, LampsStandOnThePavementAndReachOverTheStreet) {
+  PartBench bench;
+  StreetPlan plan;
+  plan.drive_path_m = {{0, 0}};
+  Block block;
+  block.island = {{0, 0}, {40, 30}};
+  BuildLamps(bench.Context(), block, plan);
+  const Bounds bounds = BoundsOfScene(bench.TakeScene());
+  EXPECT_NEAR(bounds.low_m.z(), kKerbHeight_m, 0.03);
+  EXPECT_NEAR(bounds.high_m.z(), 7.1, 0.1);
+  EXPECT_LT(bounds.low_m.y(), -0.5F);
+  EXPECT_GT(bounds.high_m.x(), 40.5F);
+}
+
+}  // namespace
+}  // namespace pfseq
