@@ -136,7 +136,9 @@ void SetOpenings(double detail, RandomStream& random, Building& building) {
           random.Uniform(1.15, 1.35), random.Uniform(2.15, 2.35), 0.15, random.Uniform(0.22, 0.35)};
       window.transom_share = 0.24;
       window.has_surround = chance(0.8);
-      building.balcony = chance(0.8) ? BalconyPattern::kContinuous : BalconyPattern::kFrench;
+      building.balcony = detail <= 0.0 ? BalconyPattern::kNone
+                         : chance(0.8) ? BalconyPattern::kContinuous
+                                       : BalconyPattern::kFrench;
       building.has_string_courses = chance(0.8);
       building.cornice_m = random.Uniform(0.4, 0.6);
       break;

@@ -131,9 +131,9 @@ SurfaceTexture PlasterTexture() {
 }
 
 SurfaceTexture BrickTexture(bool is_red) {
-  const Rgb dark = is_red ? Rgb(0.38F, 0.19F, 0.15F) : Rgb(0.55F, 0.47F, 0.33F);
-  const Rgb light = is_red ? Rgb(0.66F, 0.37F, 0.27F) : Rgb(0.80F, 0.72F, 0.53F);
-  const Rgb burnt = is_red ? Rgb(0.27F, 0.17F, 0.16F) : Rgb(0.42F, 0.36F, 0.28F);
+  const Rgb dark = is_red ? Rgb(0.42F, 0.27F, 0.22F) : Rgb(0.55F, 0.47F, 0.33F);
+  const Rgb light = is_red ? Rgb(0.64F, 0.43F, 0.34F) : Rgb(0.80F, 0.72F, 0.53F);
+  const Rgb burnt = is_red ? Rgb(0.30F, 0.22F, 0.20F) : Rgb(0.42F, 0.36F, 0.28F);
   return Paint(is_red ? "brick_red" : "brick_buff", 1024, 3.6, true, [=](double x, double y) {
     // 48 courses of 7.5 cm; every sixth one shows headers.
     const bool is_header = static_cast<int>(std::floor(y * 48.0)) % 6 == 5;
@@ -190,7 +190,7 @@ SurfaceTexture RoofTileTexture() {
     // A pantile: a roll across, and each row lies on the one below it.
     const double roll = std::sin(3.14159265 * tile.u);
     const double shade = Mix(0.72, 1.0, roll) * Mix(1.0, 0.62, Ramp(0.9, 1.0, tile.v));
-    Rgb color = MixColor(Rgb(0.50F, 0.26F, 0.18F), Rgb(0.74F, 0.43F, 0.29F), tone);
+    Rgb color = MixColor(Rgb(0.47F, 0.31F, 0.25F), Rgb(0.67F, 0.45F, 0.35F), tone);
     color = MixColor(color, Rgb(0.36F, 0.34F, 0.26F), Ramp(0.55, 0.8, moss) * 0.7);
     return SurfacePoint{color * static_cast<float>(shade), 0.03 * roll + 0.02 * tile.v};
   });
@@ -240,7 +240,7 @@ SurfaceTexture AsphaltTexture() {
     const double stone = TileNoise(91, 256, x, y);
     const double patch = TileFractal(92, 4, 4, x, y);
     // A crack runs where a slow noise crosses its middle.
-    const double crack = std::abs(TileFractal(93, 5, 3, x, y) - 0.5) < 0.004 ? 0.12 : 0.0;
+    const double crack = std::abs(TileFractal(93, 5, 3, x, y) - 0.5) < 0.002 ? 0.06 : 0.0;
     const double value = 0.33 + 0.09 * (stone - 0.5) + 0.14 * (patch - 0.5) - crack;
     return SurfacePoint{Rgb(static_cast<float>(value),
                             static_cast<float>(value),

@@ -94,14 +94,18 @@ void BuildUpperFloors(const BuildContext& context,
                       double foot_m,
                       RandomStream& random) {
   std::vector<OpeningColumn> columns;
+  Building fitted = building;
   for (int bay = 0; bay < front.grid.num_bays; ++bay) {
     const Opening first = WindowOpening(building, front, bay, foot_m);
+    // Two open leaves beside each window take as much room again as the window.
+    fitted.window.has_shutters =
+        building.window.has_shutters && front.grid.bay_m > 2.0 * first.Width() + 0.1;
     OpeningColumn column{first.low_m.x(), first.high_m.x(), {}};
     for (int floor = 0; floor < building.num_upper_floors; ++floor) {
       const double floor_m = foot_m + floor * building.floor_height_m;
       const Opening opening = WindowOpening(building, front, bay, floor_m);
       column.spans_m.push_back({opening.low_m.y(), opening.high_m.y()});
-      BuildWindow(context, building, front.frame, opening, building.wall, front.lod, random);
+      BuildWindow(context, fitted, front.frame, opening, building.wall, front.lod, random);
       if (front.lod <= Lod::kMedium && context.detail > 0.0) {
         BuildBalconyAt(context, building, front, opening, floor, bay, floor_m);
       }

@@ -261,6 +261,8 @@ void BuildGroundFloor(const BuildContext& context,
   }
   BuildWallWithOpenings(
       context.builder, building.ground_wall, facade, {0.0, kFoot_m}, {width_m, head_m}, columns);
+  Building plain = building;
+  plain.window.has_shutters = false;
   for (const Unit& unit : units) {
     switch (unit.kind) {
       case UnitKind::kShop:
@@ -270,7 +272,7 @@ void BuildGroundFloor(const BuildContext& context,
         BuildDoor(context, building, facade, unit.opening, lod, random);
         break;
       case UnitKind::kWindow:
-        BuildWindow(context, building, facade, unit.opening, building.ground_wall, lod, random);
+        BuildWindow(context, plain, facade, unit.opening, building.ground_wall, lod, random);
         break;
     }
   }

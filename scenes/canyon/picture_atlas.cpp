@@ -152,9 +152,11 @@ void PaintShop(RandomStream& random, Picture& picture) {
     while (x < 0.94) {
       const double width = random.Uniform(0.02, 0.07);
       const double height = random.Uniform(0.04, 0.11);
-      const Rgb goods(static_cast<float>(random.Uniform(0.15, 0.7)),
-                      static_cast<float>(random.Uniform(0.12, 0.6)),
-                      static_cast<float>(random.Uniform(0.1, 0.55)));
+      const double tone = random.Uniform(0.15, 0.6);
+      const double tint = random.Uniform(-0.08, 0.12);
+      const Rgb goods(static_cast<float>(tone + tint),
+                      static_cast<float>(tone),
+                      static_cast<float>(tone - 0.6 * tint));
       picture.FillFlat(x, y - height, x + width, y, Rgb(goods * 0.7F));
       x += width + random.Uniform(0.004, 0.05);
     }
@@ -163,9 +165,11 @@ void PaintShop(RandomStream& random, Picture& picture) {
   for (int item = 0; item < 4; ++item) {
     const double x = random.Uniform(0.03, 0.82);
     const double y = random.Uniform(0.62, 0.8);
-    const Rgb color(static_cast<float>(random.Uniform(0.2, 0.85)),
-                    static_cast<float>(random.Uniform(0.2, 0.8)),
-                    static_cast<float>(random.Uniform(0.2, 0.75)));
+    const double tone = random.Uniform(0.2, 0.75);
+    const double tint = random.Uniform(-0.1, 0.16);
+    const Rgb color(static_cast<float>(tone + tint),
+                    static_cast<float>(tone + random.Uniform(-0.04, 0.04)),
+                    static_cast<float>(tone - tint));
     picture.FillFlat(x, y, x + random.Uniform(0.05, 0.15), 1.0, color);
   }
 }

@@ -134,6 +134,20 @@ void BuildVents(const BuildContext& context,
   }
 }
 
+/// Whether the square that the largest thing on a roof takes lies over the house.
+bool HasRoomAround(const Building& building, const Vec2d& center_m) {
+  constexpr double kHalf_m = 1.75;
+  for (const Vec2d& corner : {Vec2d(-kHalf_m, -kHalf_m),
+                              Vec2d(kHalf_m, -kHalf_m),
+                              Vec2d(kHalf_m, kHalf_m),
+                              Vec2d(-kHalf_m, kHalf_m)}) {
+    if (DistanceToPath(building.lot.footprint_m, {center_m + corner}) > 0.0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// What stands on a level roof, one thing to each place along its longer side.
 void FurnishLevelRoof(const BuildContext& context,
                       const Building& building,
@@ -152,6 +166,9 @@ void FurnishLevelRoof(const BuildContext& context,
     Vec2d center_m = area.Center();
     center_m[axis] = area.low_m[axis] + size_m[axis] * (i + 0.5) / num_places;
     const double draw = random.Uniform();
+    if (!HasRoomAround(building, center_m)) {
+      continue;
+    }
     if (i == lift_at) {
       BuildLiftHouse(context, building, center_m, roof_m, random);
     } else if (draw < context.Share(0.4)) {

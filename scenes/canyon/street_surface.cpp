@@ -75,8 +75,13 @@ void MarkSection(
 void MarkStreets(const BuildContext& context, const StreetPlan& plan, bool along_x) {
   const std::vector<Street>& streets = along_x ? plan.streets_along_x : plan.streets_along_y;
   const std::vector<Street>& crossing = along_x ? plan.streets_along_y : plan.streets_along_x;
-  for (const Street& street : streets) {
-    for (size_t i = 0; i + 1 < crossing.size(); ++i) {
+  for (size_t k = 0; k < streets.size(); ++k) {
+    const Street& street = streets[k];
+    // Streets that run into one another are one open place, without markings.
+    const bool is_merged =
+        (k > 0 && streets[k - 1].HighFacade() > street.LowFacade()) ||
+        (k + 1 < streets.size() && streets[k + 1].LowFacade() < street.HighFacade());
+    for (size_t i = 0; !is_merged && i + 1 < crossing.size(); ++i) {
       const double low_m = crossing[i].HighFacade() - crossing[i].pavement_m + 1.0;
       const double high_m = crossing[i + 1].LowFacade() + crossing[i + 1].pavement_m - 1.0;
       const std::vector<Vec2d> section = {Place(along_x, low_m, street.center_m),
@@ -196,6 +201,7 @@ void BuildLamps(const BuildContext& context, const Block& block, const StreetPla
   constexpr double kSpacing_m = 27.0;
   constexpr double kFromKerb_m = 0.5;
   const std::array<Vec2d, 4> corners_m = block.island.Corners();
+  const std::vector<Vec2d> island_m = ChamferedRect(block.island, block.island_chamfer_m);
   // Along the south and the east side: each street then has lamps on one of its sides.
   for (const BlockEdge edge : {kSouth, kEast}) {
     const Vec2d from_m = corners_m[edge];
@@ -206,7 +212,8 @@ void BuildLamps(const BuildContext& context, const Block& block, const StreetPla
     for (int i = 0; block.is_street[edge] && length_m > 12.0 && i < count; ++i) {
       const double share = (i + 0.5) / count;
       const Vec2d at_m = from_m + share * along_m - kFromKerb_m * outward;
-      if (DistanceToPath({at_m, at_m}, plan.drive_path_m) < kMarkingReach_m) {
+      const bool on_island = DistanceToPath(island_m, {at_m}) == 0.0;
+      if (on_island && DistanceToPath({at_m, at_m}, plan.drive_path_m) < kMarkingReach_m) {
         AddLamp(context, at_m, outward);
       }
     }

@@ -91,9 +91,9 @@ void BuildBlind(const BuildContext& context,
   AddBox(context.builder,
          material_idx,
          facade,
-         {opening.low_m.x() + 0.012, opening.high_m.y() - drop_m, frame_w_m},
-         {opening.high_m.x() - 0.012, opening.high_m.y(), frame_w_m + 0.03},
-         kFaceFront | kFaceBottom | kFaceLeft | kFaceRight);
+         {opening.low_m.x() + 0.012, opening.high_m.y() - drop_m, frame_w_m + 0.005},
+         {opening.high_m.x() - 0.012, opening.high_m.y(), frame_w_m + 0.035},
+         kFacesSides | kFaceBottom);
 }
 
 void BuildShutters(const BuildContext& context,

@@ -191,6 +191,8 @@ struct FlatTriangle {
   std::array<Vec2d, 3> corners_m;
   double low_m = 0.0;
   double high_m = 0.0;
+  double across_low_m = 0.0;
+  double across_high_m = 0.0;
   Vec3d normal = Vec3d::UnitZ();
   Vec3d center_m = Vec3d::Zero();
   std::string where;
@@ -211,7 +213,10 @@ struct FlatTriangle {
 
   bool Overlaps(const FlatTriangle& other) const {
     constexpr double kSamePlane_m = 1e-4;
-    if (std::abs(normal.dot(other.center_m - center_m)) > kSamePlane_m) {
+    const bool is_apart = high_m <= other.low_m || other.high_m <= low_m ||
+                          across_high_m <= other.across_low_m ||
+                          other.across_high_m <= across_low_m;
+    if (is_apart || std::abs(normal.dot(other.center_m - center_m)) > kSamePlane_m) {
       return false;
     }
     for (size_t i = 0; i < 4; ++i) {
@@ -243,8 +248,9 @@ inline SurfaceFaults FindOverlaps(const Scene& scene) {
       }
       const Vec3d normal =
           (points_m[1] - points_m[0]).cross(points_m[2] - points_m[0]).normalized();
-      int axis = 0;
-      normal.cwiseAbs().maxCoeff(&axis);
+      // The same axis for all triangles of a plane, also of one at 45 degrees.
+      const bool is_level = std::abs(normal.z()) > 0.9;
+      const int axis = is_level ? 2 : std::abs(normal.x()) > std::abs(normal.y()) + 0.01 ? 0 : 1;
       const double offset_m = normal.dot(points_m[0]);
       FlatTriangle flat;
       flat.normal = normal;
@@ -256,6 +262,10 @@ inline SurfaceFaults FindOverlaps(const Scene& scene) {
           std::minmax({flat.corners_m[0].x(), flat.corners_m[1].x(), flat.corners_m[2].x()});
       flat.low_m = low;
       flat.high_m = high;
+      const auto [across_low, across_high] =
+          std::minmax({flat.corners_m[0].y(), flat.corners_m[1].y(), flat.corners_m[2].y()});
+      flat.across_low_m = across_low;
+      flat.across_high_m = across_high;
       flat.where = fmt::format("{} near ({:.3f}, {:.3f}, {:.3f})",
                                mesh.name,
                                points_m[0].x(),
@@ -290,6 +300,7 @@ inline SurfaceFaults FindOverlaps(const Scene& scene) {
 /// from all sides at up to 60 degrees and aim at [0, width] x [low, high] on the plane.
 inline SurfaceFaults FindHoles(const Scene& scene, double width_m, double low_m, double high_m) {
   constexpr double kMargin_m = 0.01;
+  constexpr double kFar_m = 20.0;
   const RayScene rays(std::make_shared<const Scene>(scene));
   SurfaceFaults faults;
   RandomStream random(77);
@@ -297,9 +308,11 @@ inline SurfaceFaults FindHoles(const Scene& scene, double width_m, double low_m,
     const Vec3d target_m(random.Uniform(kMargin_m, width_m - kMargin_m),
                          0.0,
                          random.Uniform(low_m + kMargin_m, high_m - kMargin_m));
-    const Vec3d back =
-        Vec3d(random.Uniform(-1.5, 1.5), -1.0, random.Uniform(-1.5, 1.5)).normalized();
-    const auto hit = rays.Intersect(target_m + 20.0 * back, -back);
+    Vec3d back = Vec3d(random.Uniform(-1.5, 1.5), -1.0, random.Uniform(-1.5, 1.5)).normalized();
+    if (target_m.z() + kFar_m * back.z() < low_m) {
+      back.z() = -back.z();  // not from under the ground
+    }
+    const auto hit = rays.Intersect(target_m + kFar_m * back, -back);
     ++faults.num_checked;
     if (!hit || hit->geometric_normal.dot(back) < 0.0) {
       faults.texts.push_back(fmt::format(
