@@ -121,7 +121,9 @@ std::vector<Extreme> Extremes() {
   };
   add("NarrowStreets").canyon.street_width_m = {4.0, 5.0};
   add("WideStreets").canyon.street_width_m = {60.0, 100.0};
-  add("Towers").canyon.building_height_m = {80.0, 300.0};
+  Extreme& towers = add("Towers");
+  towers.canyon.building_height_m = {80.0, 300.0};
+  towers.canyon.surrounding_blocks = 0;
   add("Huts").canyon.building_height_m = {3.0, 4.0};
   add("FlatRoofs").canyon.pitched_roof_share = 0.0;
   add("PitchedRoofs").canyon.pitched_roof_share = 1.0;
