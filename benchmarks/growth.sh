@@ -27,7 +27,7 @@ for size_px in 300 600 1200 2400; do
 done
 while read -r detail blocks; do
   triangles=$("$pfseq" scene "$root/data/sequences/pfseq.yaml" --stats --set scene.canyon.detail=$detail \
-    --set scene.canyon.surrounding_blocks=$blocks | awk '/^triangles:/ { print $2 }')
+    --set scene.canyon.surrounding_blocks=$blocks | sed -n 's/.*  triangles \([0-9]*\)$/\1/p')
   run "1 frame of 600 px, $triangles triangles" --set image.size_px=600 --frames 0 --set scene.canyon.detail=$detail \
     --set scene.canyon.surrounding_blocks=$blocks
 done <<< "0 1

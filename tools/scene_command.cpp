@@ -2,6 +2,8 @@
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
 #include "renderer/trace/ray_scene.h"
+#include "scenes/canyon/canyon.h"
+#include "scenes/canyon/canyon_stats.h"
 #include "scenes/gltf/gltf_writer.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
@@ -28,8 +30,9 @@ struct SceneFlags {
   RunFlags run;
 };
 
-void PrintStats(const SequenceInput& input) {
-  const Scene& scene = *input.scene;
+constexpr double kMebi = 1024.0 * 1024.0;
+
+void PrintSceneStats(const Scene& scene) {
   std::map<std::string, size_t> triangles_by_material;
   Vec3f low_m = Vec3f::Constant(std::numeric_limits<float>::infinity());
   Vec3f high_m = -low_m;
@@ -45,8 +48,6 @@ void PrintStats(const SequenceInput& input) {
   for (const Texture& texture : scene.textures) {
     texture_bytes += texture.texels.Values().size();
   }
-  constexpr double kMebi = 1024.0 * 1024.0;
-  const RayScene rays(input.scene);
   fmt::print("triangles: {}\nmeshes: {}\nmaterials: {}\ntextures: {} ({:.1f} MiB)\n",
              scene.NumTriangles(),
              scene.meshes.size(),
@@ -60,10 +61,21 @@ void PrintStats(const SequenceInput& input) {
              high_m.y(),
              low_m.z(),
              high_m.z());
-  fmt::print("ray tracing memory: {:.1f} MiB\n", static_cast<double>(rays.MemoryBytes()) / kMebi);
   for (const auto& [name, count] : triangles_by_material) {
     fmt::print("  {:>9} triangles  {}\n", count, name.empty() ? "(no name)" : name);
   }
+}
+
+void PrintStats(const SequenceInput& input) {
+  if (input.spec.scene.gltf.empty()) {
+    const Canyon canyon =
+        BuildCanyonWithStats(input.spec.scene.canyon, input.spec.trajectory.drive);
+    fmt::print("{}", DescribeCanyon(canyon.stats, canyon.scene));
+  } else {
+    PrintSceneStats(*input.scene);
+  }
+  const RayScene rays(input.scene);
+  fmt::print("ray tracing memory: {:.1f} MiB\n", static_cast<double>(rays.MemoryBytes()) / kMebi);
 }
 
 void RunScene(const SceneFlags& flags) {
