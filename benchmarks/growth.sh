@@ -25,12 +25,14 @@ done
 for size_px in 300 600 1200 2400; do
   run "1 frame of $size_px px" --set image.size_px=$size_px --frames 0
 done
-while read -r detail blocks; do
-  triangles=$("$pfseq" scene "$root/data/sequences/pfseq.yaml" --stats --set scene.canyon.detail=$detail \
-    --set scene.canyon.surrounding_blocks=$blocks | sed -n 's/.*  triangles \([0-9]*\)$/\1/p')
-  run "1 frame of 600 px, $triangles triangles" --set image.size_px=600 --frames 0 --set scene.canyon.detail=$detail \
-    --set scene.canyon.surrounding_blocks=$blocks
-done <<< "0 1
-1 2
-2 2
-2 4"
+# Detail, rows of blocks, lengths of the streets.
+while read -r detail blocks street_m; do
+  city=(--set "scene.canyon.detail=$detail" --set "scene.canyon.surrounding_blocks=$blocks"
+    --set "trajectory.drive.first_street_m=$street_m" --set "trajectory.drive.cross_street_m=$street_m"
+    --set "trajectory.drive.last_street_m=$street_m")
+  triangles=$("$pfseq" scene "$root/data/sequences/pfseq.yaml" --stats "${city[@]}" | sed -n 's/.*  triangles \([0-9]*\)$/\1/p')
+  run "1 frame of 600 px, $triangles triangles" --set image.size_px=600 --frames 0 "${city[@]}"
+done <<< "0 0 40
+1 2 60
+2 4 60
+2 12 200"

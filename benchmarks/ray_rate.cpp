@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays per second of the renderer beside Embree alone on the very same rays. Linked with --wrap, so that the renderer's
-// calls of Embree pass through here: they are counted and recorded, then replayed on Embree alone, in the same order.
-// Usage: ray_rate SEQUENCE.yaml [KEY=VALUE ...]     one thread; medians of kNumRuns runs, all in one process
-#include <embree3/rtcore.h>
-#include <fmt/format.h>
+// Rays per second of the renderer beside Embree alone on the very same rays. Linked with --wrap, so
+// that the renderer's calls of Embree pass through here: they are counted and recorded, then
+// replayed on Embree alone, in the same order. Usage: ray_rate SEQUENCE.yaml [KEY=VALUE ...] one
+// thread; medians of kNumRuns runs, all in one process
+#include "renderer/frame_renderer.h"
+#include "renderer/ground_truth.h"
+#include "renderer/sequence/sequence_model.h"
+#include "renderer/sequence/sequence_schema.h"
+#include "scenes/catalog.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,11 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame_renderer.h"
-#include "renderer/ground_truth.h"
-#include "renderer/sequence/sequence_model.h"
-#include "renderer/sequence/sequence_schema.h"
-#include "scenes/catalog.h"
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
 
 namespace {
 
@@ -62,7 +63,8 @@ double MedianSeconds(const std::function<void()>& work) {
   for (int run = 0; run < kNumRuns; ++run) {
     const auto start = std::chrono::steady_clock::now();
     work();
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    seconds.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   std::nth_element(seconds.begin(), seconds.begin() + kNumRuns / 2, seconds.end());
   return seconds[kNumRuns / 2];
@@ -93,7 +95,11 @@ void Compare(const std::string& name, const std::function<void()>& work) {
   const double renderer_s = MedianSeconds(work);
   const double embree_s = MedianSeconds(Replay);
   const double mega_rays = static_cast<double>(recorded.size()) * 1e-6;
-  fmt::print("{:28} {:8.2f} {:14.2f} {:14.2f} {:8.2f}\n", name, mega_rays, mega_rays / renderer_s, mega_rays / embree_s,
+  fmt::print("{:28} {:8.2f} {:14.2f} {:14.2f} {:8.2f}\n",
+             name,
+             mega_rays,
+             mega_rays / renderer_s,
+             mega_rays / embree_s,
              embree_s / renderer_s);
 }
 
@@ -103,23 +109,35 @@ void Run(const std::string& path, const std::vector<std::string>& overrides) {
   const auto scene = std::make_shared<const Scene>(LoadScene(spec, ""));
   const auto start = std::chrono::steady_clock::now();
   const RayScene rays(scene);
-  const double build_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  fmt::print("triangles {}, acceleration structure built in {:.2f} s (one thread), {:.1f} MiB\n", scene->NumTriangles(),
-             build_s, static_cast<double>(rays.MemoryBytes()) / 1048576.0);
+  const double build_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  fmt::print("triangles {}, acceleration structure built in {:.2f} s (one thread), {:.1f} MiB\n",
+             scene->NumTriangles(),
+             build_s,
+             static_cast<double>(rays.MemoryBytes()) / 1048576.0);
   const std::vector<Named<Lens>> lenses = MakeLenses(spec);
-  const RigidTransform world_from_camera =
-      FramePoses(spec.trajectory).front().world_from_rig * MakeCameras(spec).front().rig_from_camera;
+  const RigidTransform world_from_camera = FramePoses(spec.trajectory).front().world_from_rig *
+                                           MakeCameras(spec).front().rig_from_camera;
   const int width_px = spec.image.size_px[0];
   const int height_px = spec.image.size_px[1];
-  fmt::print("{:28} {:>8} {:>14} {:>14} {:>8}\n", "", "Mrays", "pfseq Mrays/s", "Embree Mrays/s", "ratio");
+  fmt::print(
+      "{:28} {:>8} {:>14} {:>14} {:>8}\n", "", "Mrays", "pfseq Mrays/s", "Embree Mrays/s", "ratio");
   for (const Named<Lens>& lens : lenses) {
     Compare(lens.name + " distance map", [&] {
-      RenderGroundTruth(rays, lens.value, world_from_camera, width_px, height_px, spec.ground_truth.max_distance_m, 1);
+      RenderGroundTruth(rays,
+                        lens.value,
+                        world_from_camera,
+                        width_px,
+                        height_px,
+                        spec.ground_truth.max_distance_m,
+                        1);
     });
   }
   for (const int max_bounces : {1, 3}) {
-    const PathTracer tracer(rays, MakeLighting(spec.light, scene->sun), PathTracerOptions{.max_bounces = max_bounces});
-    const View view{&lenses.front().value, world_from_camera, width_px, height_px, spec.render.seed, 0, 0};
+    const PathTracer tracer(
+        rays, MakeLighting(spec.light, scene->sun), PathTracerOptions{.max_bounces = max_bounces});
+    const View view{
+        &lenses.front().value, world_from_camera, width_px, height_px, spec.render.seed, 0, 0};
     Compare(fmt::format("{} paths, {} bounces", lenses.front().name, max_bounces),
             [&] { RenderRadiance(tracer, view, spec.render.samples, 1, nullptr, {}); });
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <memory>
-
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "validator/checks/check_sequence.h"
+
+#include <memory>
+
+#include <fmt/format.h>
 
 namespace pfseq {
 namespace {
@@ -33,7 +33,8 @@ void AddCheckCommand(CLI::App& app, int& exit_status) {
   command->add_option("DIR", flags->folder, "Folder of a sequence")->required();
   constexpr int kMaxStride = 1000;
   command
-      ->add_option("--stride", flags->options.stride_px,
+      ->add_option("--stride",
+                   flags->options.stride_px,
                    "Compare each n-th pixel in x and y with the scene and the other cameras; 0: by "
                    "the image's size")
       ->check(CLI::Range(0, kMaxStride))

@@ -335,7 +335,8 @@ YamlTypePtr<RenderSpec> RenderSchema() {
       .Key("min_indirect_roughness",
            &RenderSpec::min_indirect_roughness,
            From(0.0, 1.0),
-           "Least roughness of surfaces that a path meets after its first one; 0: no bias, but bright "
+           "Least roughness of surfaces that a path meets after its first one; 0: no bias, but "
+           "bright "
            "points where windows throw sunlight.");
   return schema;
 }

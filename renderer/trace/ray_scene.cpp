@@ -18,7 +18,8 @@ namespace {
 
 // One instruction set, and (see Commit) one thread: the acceleration structure, and with it the
 // answer where triangles tie, is then the same on every machine.
-// Embree limits all of TBB in the process to its number of threads; the limit is put out of the way.
+// Embree limits all of TBB in the process to its number of threads: that limit is put out of the
+// way.
 constexpr const char* kDeviceConfig = "isa=avx2,threads=1024";
 
 // A ray this close to a triangle's plane (cosine of the angle to its normal) keeps Embree's own
