@@ -45,12 +45,17 @@ expect_failure 1 "cannot write full/" limited "$pfseq" render "$tiny" --out full
 [ ! -e full/manifest.json ] || fail "a failed run wrote a manifest"
 [ -z "$(find full -name '*.partial')" ] || fail "a failed run left a temporary file"
 
-# A folder that must not be written, as somebody who is not root.
+# A folder that must not be written, as somebody who is not root: with copies that anybody can reach.
 mkdir locked && chmod 555 locked
-run=("$pfseq")
+cp "$pfseq" program && cp "$tiny" copy.yaml
+chmod 755 "$work" program && chmod 644 copy.yaml
+run=()
 if [ "$(id -u)" -eq 0 ]; then
-  chmod 755 "$work"
-  run=(setpriv --reuid=65534 --regid=65534 --clear-groups "$pfseq")
+  run=(setpriv --reuid=65534 --regid=65534 --clear-groups)
 fi
-expect_failure 1 "Permission denied" "${run[@]}" render "$tiny" --out locked/here --quiet
+if "${run[@]}" ./program --version >/dev/null 2>&1; then
+  expect_failure 1 "Permission denied" "${run[@]}" ./program render copy.yaml --out locked/here --quiet
+else
+  echo "the folder that must not be written was left out: another user cannot run a program in $work"
+fi
 echo "passed"
