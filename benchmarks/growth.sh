@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # How time and memory grow with frames, image size and triangles. Usage: benchmarks/growth.sh [PFSEQ_PROGRAM]
-# Prints wall seconds, CPU seconds and peak memory of whole runs (scene, acceleration structure and writing included).
+# Prints wall seconds, CPU seconds and peak memory of whole runs (scene, acceleration structure and writing included),
+# first with the light to be computed, then with the light that the first has kept.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -13,10 +14,14 @@ trap 'rm -rf "$out"' EXIT
 run() {
   local label=$1
   shift
-  rm -rf "$out/sequence"
-  /usr/bin/time -f "%e %U %M" -o "$out/time" "$pfseq" render "$root/data/sequences/pfseq.yaml" --out "$out/sequence" \
-    --cameras front --lenses equisolid --set render.samples=4 --quiet "$@" >/dev/null
-  awk -v label="$label" '{ printf "%-34s %8.1f s wall %8.1f s CPU %8.0f MiB\n", label, $1, $2, $3 / 1024 }' "$out/time"
+  rm -rf "$out/light"
+  for light in new kept; do
+    rm -rf "$out/sequence"
+    /usr/bin/time -f "%e %U %M" -o "$out/time" "$pfseq" render "$root/data/sequences/pfseq.yaml" --out "$out/sequence" \
+      --cameras front --lenses equisolid --light-cache "$out/light" --quiet "$@" >/dev/null
+    awk -v label="$label, light $light" \
+      '{ printf "%-46s %8.1f s wall %8.1f s CPU %8.0f MiB\n", label, $1, $2, $3 / 1024 }' "$out/time"
+  done
 }
 
 for frames in 1 4 16 64; do

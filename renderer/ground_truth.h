@@ -4,6 +4,7 @@
 #include "renderer/core/image.h"
 #include "renderer/core/rigid_transform.h"
 #include "renderer/lens/lens.h"
+#include "renderer/lens/lens_raster.h"
 #include "renderer/trace/ray_scene.h"
 
 #include <cstdint>
@@ -26,10 +27,8 @@ double CastPixelCentreM(
     const RayScene& scene, const Lens& lens, const RigidTransform& world_from_camera, int x, int y);
 
 GroundTruth RenderGroundTruth(const RayScene& scene,
-                              const Lens& lens,
+                              const LensRaster& raster,
                               const RigidTransform& world_from_camera,
-                              int width_px,
-                              int height_px,
                               double max_distance_m,
                               int num_threads);
 

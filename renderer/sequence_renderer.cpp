@@ -2,6 +2,7 @@
 #include "renderer/sequence_renderer.h"
 
 #include "renderer/core/error.h"
+#include "renderer/core/file.h"
 #include "renderer/core/parallel.h"
 #include "renderer/core/progress.h"
 #include "renderer/film/sensor.h"
@@ -10,6 +11,7 @@
 #include "renderer/lens/trajectory_file.h"
 #include "renderer/sequence/poses_file.h"
 #include "renderer/sequence/sequence_model.h"
+#include "renderer/sequence/sequence_schema.h"
 #include "renderer/trace/lighting.h"
 #include "renderer/trace/path_tracer.h"
 #include "renderer/trace/ray_scene.h"
@@ -18,6 +20,8 @@
 #include <functional>
 #include <numeric>
 #include <optional>
+
+#include <sys/resource.h>
 
 namespace pfseq {
 namespace {
@@ -29,19 +33,78 @@ struct Record {
   size_t lens_idx = 0;
 };
 
+/// CPU seconds of the process so far.
+double CpuSeconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Standard error of a pixel at which it gets no more samples, relative to its value.
+constexpr float kNoiseTolerance = 0.06F;
+
+/// Stands for all that the light in a scene depends on.
+std::string LightHash(const SequenceInput& input) {
+  SequenceSpec light_alone;
+  light_alone.light = input.spec.light;
+  // Its bytes count, not its name.
+  light_alone.light.sky.map.clear();
+  std::string text = CanonicalYaml(light_alone);
+  for (const DescriptionFile& file : input.files) {
+    if (file.name == kSceneFile || file.name == kExrSkyMapFile || file.name == kHdrSkyMapFile) {
+      text += Sha256Hex(file.bytes);
+    }
+  }
+  return Sha256Hex(text);
+}
+
 /// All that the frames of a sequence share, built once.
 class Studio {
  public:
-  explicit Studio(const SequenceInput& input)
-      : spec_(input.spec),
+  Studio(const SequenceInput& input, int num_threads)
+      : input_(input),
+        spec_(input.spec),
         rig_(MakeRigFile(input.spec)),
         poses_(FramePoses(input.spec.trajectory)),
         scene_(input.scene),
+        textures_(*input.scene),
+        lighting_(input.lighting != nullptr ? input.lighting
+                                            : std::make_shared<const Lighting>(MakeLighting(
+                                                  input.spec.light, input.scene->sun))),
         tracer_(scene_,
-                MakeLighting(input.spec.light, input.scene->sun),
+                textures_,
+                *lighting_,
                 PathTracerOptions{.max_bounces = input.spec.render.max_bounces,
                                   .min_indirect_roughness = static_cast<float>(
-                                      input.spec.render.min_indirect_roughness)}) {}
+                                      input.spec.render.min_indirect_roughness)}) {
+    for (const auto& lens : rig_.lenses) {
+      rasters_.push_back(
+          std::make_unique<LensRaster>(lens.value, rig_.width_px, rig_.height_px, num_threads));
+    }
+  }
+
+  bool UsesCachedLight() const { return spec_.render.light == "cached"; }
+
+  /// Loads the stored light; the tracer of UsesCachedLight.
+  void LoadLight(const LightCacheOptions& options) {
+    std::vector<Vec3d> positions_m;
+    for (const StampedPose& pose : poses_) {
+      positions_m.push_back(pose.world_from_rig.translation_m);
+    }
+    light_ = std::make_unique<CachedLight>(
+        scene_, textures_, *lighting_, spec_.render, positions_m, LightHash(input_), options);
+  }
+  CachedLight& Light() const { return *light_; }
+  const LensRaster& RasterOf(const Record& record) const { return *rasters_[record.lens_idx]; }
+
+  PixelSampling Sampling() const {
+    // White paint in the open, without the sun, is pi times as bright as this.
+    const float reference = Luminance(lighting_->sky.HorizontalIrradiance()) / 10.0F;
+    return {spec_.render.samples, spec_.render.max_samples, kNoiseTolerance, reference};
+  }
 
   const RigFile& Rig() const { return rig_; }
   const std::vector<StampedPose>& Poses() const { return poses_; }
@@ -70,11 +133,16 @@ class Studio {
   }
 
  private:
+  const SequenceInput& input_;
   const SequenceSpec& spec_;
   RigFile rig_;
   std::vector<StampedPose> poses_;
   RayScene scene_;
+  TextureSet textures_;
+  std::shared_ptr<const Lighting> lighting_;
   PathTracer tracer_;
+  std::vector<std::unique_ptr<LensRaster>> rasters_;
+  std::unique_ptr<CachedLight> light_;
 };
 
 /// Positions in `items` of the selected names, in the order of `items`; all when nothing is
@@ -171,10 +239,8 @@ class RecordRenderer {
     GroundTruth truth;
     if (wanted(Output::kDistance) || wanted(Output::kSky)) {
       truth = RenderGroundTruth(studio_.Rays(),
-                                *view.lens,
+                                studio_.RasterOf(record),
                                 view.world_from_camera,
-                                view.width_px,
-                                view.height_px,
                                 spec_.ground_truth.max_distance_m,
                                 options_.num_threads);
     }
@@ -191,12 +257,19 @@ class RecordRenderer {
             x,
             y);
       };
-      radiance = RenderRadiance(studio_.Tracer(),
-                                view,
-                                spec_.render.samples,
-                                options_.num_threads,
-                                &progress,
-                                describe_pixel);
+      radiance = studio_.UsesCachedLight() ? RenderCachedRadiance(studio_.Light().Tracer(),
+                                                                  studio_.RasterOf(record),
+                                                                  view,
+                                                                  studio_.Sampling(),
+                                                                  options_.num_threads,
+                                                                  &progress,
+                                                                  describe_pixel)
+                                           : RenderRadiance(studio_.Tracer(),
+                                                            view,
+                                                            spec_.render.samples,
+                                                            options_.num_threads,
+                                                            &progress,
+                                                            describe_pixel);
     }
     ParallelFor(outputs.size(), options_.num_threads, [&](size_t i) {
       writer_.WriteFrameFile(studio_.FileOf(record, outputs[i]),
@@ -238,7 +311,7 @@ RigFile MakeRigFile(const SequenceSpec& spec) {
 RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& options) {
   PFSEQ_CHECK(options.num_shards >= 1 && options.shard_idx >= 0 &&
               options.shard_idx < options.num_shards);
-  const Studio studio(input);
+  Studio studio(input, options.num_threads);
   const std::vector<Record> records = SelectRecords(studio, options);
   const SequenceWriter writer(options.folder, DescriptionFiles(input, studio), options.on_existing);
   const RecordRenderer renderer(studio, input.spec, writer, options);
@@ -269,6 +342,18 @@ RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& op
   };
   const auto num_color_records =
       static_cast<uint64_t>(std::count_if(work.begin(), work.end(), has_color));
+  const double light_start_s = CpuSeconds();
+  if (studio.UsesCachedLight() && num_color_records > 0) {
+    studio.LoadLight(options.light_cache);
+    std::vector<RasterView> views;
+    for (const auto& item : work) {
+      if (has_color(item)) {
+        views.push_back({&studio.RasterOf(item.first), studio.ViewOf(item.first)});
+      }
+    }
+    studio.Light().Prepare(views, options.num_threads, options.quiet);
+  }
+  const double frames_start_s = CpuSeconds();
   // Without colour each record is one step; with colour the pixels are what takes the time.
   Progress progress("render",
                     num_color_records > 0 ? num_color_records * pixels_a_record : work.size(),
@@ -283,12 +368,27 @@ RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& op
     }
   }
   progress.Finish();
+  const double frames_end_s = CpuSeconds();
+  if (studio.UsesCachedLight() && num_color_records > 0) {
+    studio.Light().Save();
+    if (!options.quiet) {
+      fmt::print(stderr, "{}\n", studio.Light().Summary());
+    }
+  }
+  if (!options.quiet) {
+    fmt::print(stderr,
+               "CPU time: start {:.2f} s, light {:.2f} s, {} records {:.2f} s\n",
+               light_start_s,
+               frames_start_s - light_start_s,
+               work.size(),
+               frames_end_s - frames_start_s);
+  }
   summary.is_complete = writer.FinishIfComplete(expected, options.num_threads);
   return summary;
 }
 
 std::string DescribePixel(const SequenceInput& input, const FrameFile& record, int x, int y) {
-  const Studio studio(input);
+  Studio studio(input, 1);
   RenderOptions selection;
   selection.frames = {record.frame};
   selection.cameras = {record.camera};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderer/cached_light.h"
 #include "renderer/lens/camera_rig.h"
 #include "renderer/sequence/rig_file.h"
 #include "renderer/sequence/sequence_spec.h"
 #include "renderer/sequence/sequence_writer.h"
+#include "renderer/trace/lighting.h"
 #include "renderer/trace/scene.h"
 
 #include <filesystem>
@@ -27,12 +29,15 @@ struct RenderOptions {
   int num_shards = 1;
   int num_threads = 1;
   bool quiet = false;
+  LightCacheOptions light_cache;
 };
 
 /// A description with all that it refers to.
 struct SequenceInput {
   SequenceSpec spec;
   std::shared_ptr<const Scene> scene;
+  /// The description's light in the scene.
+  std::shared_ptr<const Lighting> lighting;
   /// Files of the description, written first: sequence.yaml, scene.glb, copies of input files.
   std::vector<DescriptionFile> files;
 };

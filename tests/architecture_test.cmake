@@ -10,8 +10,9 @@ set(allowed_renderer_sequence renderer/core renderer/lens)
 set(allowed_renderer_trace renderer/core renderer/lens renderer/sequence)
 set(allowed_renderer_film renderer/core renderer/lens renderer/sequence renderer/trace)
 set(allowed_renderer renderer/core renderer/lens renderer/sequence renderer/trace renderer/film)
-# Scenes are plain values: trace/scene.h alone of the tracer, and the description of what to build.
-set(allowed_scenes renderer/core renderer/lens renderer/sequence renderer/trace/scene.h)
+# Scenes are plain values: of the tracer trace/scene.h and the colour formulas of trace/color.h (a header alone), and the
+# description of what to build.
+set(allowed_scenes renderer/core renderer/lens renderer/sequence renderer/trace/color.h renderer/trace/scene.h)
 # The validator sees what is on disk; the ray-traced ground truth needs the scene of the folder and rays in it.
 set(allowed_validator renderer/core renderer/lens renderer/sequence renderer/trace/ray_scene.h renderer/trace/scene.h
     scenes/gltf/gltf_reader.h)

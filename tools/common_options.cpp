@@ -4,6 +4,8 @@
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
 #include "renderer/core/parallel.h"
+#include "renderer/film/exposure.h"
+#include "renderer/sequence/image_io.h"
 #include "renderer/sequence/sequence_schema.h"
 #include "renderer/trace/lighting.h"
 #include "scenes/catalog.h"
@@ -33,6 +35,25 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
     }
     text.remove_prefix(position + 1);
   }
+}
+
+/// Gives the scene the sun that lights it (not dimmed by clouds, which are the sky's) and an
+/// automatic exposure its number.
+Lighting SettleLight(SequenceSpec& spec, Scene& scene) {
+  Lighting lighting = MakeLighting(spec.light, scene.sun);
+  if (!spec.sensor.exposure.has_value()) {
+    spec.sensor.exposure = AutoExposure(lighting);
+  }
+  if (spec.light.sky.model == "map") {
+    scene.sun.reset();
+    if (lighting.sun.has_value()) {
+      scene.sun = Sun{lighting.sun->DirectionToSun().cast<float>(), lighting.sun->Irradiance()};
+    }
+  }
+  if (spec.light.sun.has_value()) {
+    scene.sun = MakeSun(*spec.light.sun, spec.light.sky.turbidity);
+  }
+  return lighting;
 }
 
 }  // namespace
@@ -103,9 +124,7 @@ SequenceInput LoadSequenceInput(const DescriptionFlags& flags) {
   SequenceInput input;
   input.spec = ReadSequenceSpec(flags.path, flags.overrides);
   Scene scene = LoadScene(input.spec, "");
-  if (input.spec.light.sun.has_value()) {
-    scene.sun = MakeSun(*input.spec.light.sun, input.spec.light.sky.turbidity);
-  }
+  input.lighting = std::make_shared<const Lighting>(SettleLight(input.spec, scene));
   input.scene = std::make_shared<const Scene>(std::move(scene));
 
   // The written description refers to the copies in its own folder.
@@ -113,13 +132,16 @@ SequenceInput LoadSequenceInput(const DescriptionFlags& flags) {
   if (!written.scene.gltf.empty()) {
     written.scene.gltf = kSceneFile;
   }
-  for (const auto& [path, name] : {std::pair(&written.trajectory.tum, kTumInputFile),
-                                   std::pair(&written.trajectory.csv, kCsvInputFile)}) {
-    if (!path->empty()) {
-      input.files.push_back({std::string(name), ReadFile(*path)});
-      *path = name;
+  const auto copy = [&](std::string& path, std::string_view name) {
+    if (!path.empty()) {
+      input.files.push_back({std::string(name), ReadFile(path)});
+      path = name;
     }
-  }
+  };
+  copy(written.trajectory.tum, kTumInputFile);
+  copy(written.trajectory.csv, kCsvInputFile);
+  std::string& map = written.light.sky.map;
+  copy(map, map.empty() || IsExr(ReadFile(map)) ? kExrSkyMapFile : kHdrSkyMapFile);
   input.files.insert(input.files.begin(), {std::string(kSequenceFile), CanonicalYaml(written)});
   input.files.push_back({std::string(kSceneFile), GlbBytes(*input.scene)});
   return input;

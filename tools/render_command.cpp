@@ -5,6 +5,7 @@
 #include "tools/common_options.h"
 
 #include <charconv>
+#include <cstdlib>
 #include <memory>
 
 #include <fmt/format.h>
@@ -23,6 +24,18 @@ Examples:
 A stopped run goes on with --resume and ends with the same bytes. manifest.json is written last: its presence means
 that all that was asked for is there.)";
 
+/// Where programs keep what they can make again: the XDG Base Directory Specification.
+std::string DefaultLightCache() {
+  for (const auto& [variable, below] :
+       {std::pair("XDG_CACHE_HOME", "pfseq/light"), std::pair("HOME", ".cache/pfseq/light")}) {
+    const char* folder = std::getenv(variable);
+    if (folder != nullptr && *folder != '\0') {
+      return (std::filesystem::path(folder) / below).string();
+    }
+  }
+  return {};
+}
+
 struct RenderFlags {
   DescriptionFlags description;
   SelectionFlags selection;
@@ -33,6 +46,8 @@ struct RenderFlags {
   bool overwrite = false;
   std::string shard;
   std::string pixel;
+  std::string light_cache = DefaultLightCache();
+  int light_memory_mib = 4096;
 };
 
 /// "A<separator>B" as two whole numbers >= 0.
@@ -61,6 +76,8 @@ RenderOptions MakeOptions(const RenderFlags& flags) {
       options.outputs.push_back(OutputFromName(name));
     }
   }
+  options.light_cache.folder = flags.light_cache == "none" ? "" : flags.light_cache;
+  options.light_cache.max_memory_bytes = int64_t{flags.light_memory_mib} << 20;
   options.num_threads = flags.run.num_threads;
   options.quiet = flags.run.quiet;
   options.on_existing = flags.overwrite ? OnExisting::kOverwrite
@@ -146,6 +163,18 @@ void AddRenderCommand(CLI::App& app) {
       "--shard", flags->shard, "I/N: render each N-th record, starting with I; implies --resume");
   command->add_option(
       "--pixel", flags->pixel, "X,Y: print what this pixel sees instead of writing anything");
+  command
+      ->add_option("--light-cache",
+                   flags->light_cache,
+                   "Folder where computed light is kept for later runs; none: keep it nowhere")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--light-memory",
+          flags->light_memory_mib,
+          "Memory for computed light in MiB; what does not fit is computed again and again")
+      ->check(CLI::Range(16, 1 << 20))
+      ->capture_default_str();
   AddRunFlags(*command, flags->run);
   command->callback([flags] { RunRender(*flags); });
 }

@@ -5,6 +5,7 @@
 #include "scenes/canyon/canyon.h"
 #include "scenes/canyon/canyon_stats.h"
 #include "scenes/gltf/gltf_writer.h"
+#include "scenes/lambertian.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 
@@ -21,11 +22,17 @@ constexpr const char* kFooter = R"(
 Examples:
   pfseq scene data/sequences/pfseq.yaml --stats
   pfseq scene data/sequences/pfseq.yaml --set scene.canyon.seed=7 --out city.glb
-  pfseq scene data/sequences/pfseq.yaml --out city.gltf          separate .bin and textures)";
+  pfseq scene data/sequences/pfseq.yaml --out city.gltf          separate .bin and textures
+  pfseq scene data/sequences/pfseq.yaml --materials lambertian --out matt.glb)";
+
+constexpr const char* kAllMaterials = "all";
+constexpr const char* kLambertianMaterials = "lambertian";
+constexpr const char* kUntexturedMaterials = "untextured";
 
 struct SceneFlags {
   DescriptionFlags description;
   std::filesystem::path out;
+  std::string materials = kAllMaterials;
   bool stats = false;
   RunFlags run;
 };
@@ -78,6 +85,14 @@ void PrintStats(const SequenceInput& input) {
   fmt::print("ray tracing memory: {:.1f} MiB\n", static_cast<double>(rays.MemoryBytes()) / kMebi);
 }
 
+/// The scene with its materials reduced as --materials tells.
+Scene SceneToWrite(const Scene& scene, const std::string& materials) {
+  if (materials == kLambertianMaterials) {
+    return LambertianScene(scene);
+  }
+  return materials == kUntexturedMaterials ? UntexturedScene(scene) : scene;
+}
+
 void RunScene(const SceneFlags& flags) {
   if (flags.out.empty() && !flags.stats) {
     throw InputError("scene: expected --out FILE.glb, --out FILE.gltf or --stats");
@@ -88,9 +103,9 @@ void RunScene(const SceneFlags& flags) {
   }
   const SequenceInput input = LoadSequenceInput(flags.description);
   if (extension == ".glb") {
-    WriteFileAtomically(flags.out, GlbBytes(*input.scene));
+    WriteFileAtomically(flags.out, GlbBytes(SceneToWrite(*input.scene, flags.materials)));
   } else if (extension == ".gltf") {
-    WriteGltf(*input.scene, flags.out);
+    WriteGltf(SceneToWrite(*input.scene, flags.materials), flags.out);
   }
   if (flags.stats) {
     PrintStats(input);
@@ -105,6 +120,13 @@ void AddSceneCommand(CLI::App& app) {
   command->footer(kFooter);
   AddDescriptionFlags(*command, flags->description);
   command->add_option("--out", flags->out, "File to write: .glb, or .gltf with separate files");
+  command
+      ->add_option("--materials",
+                   flags->materials,
+                   "Materials of the file: all, as they are; lambertian, without gloss, metal, "
+                   "normal maps and emission; untextured, lambertian and of one colour each")
+      ->check(CLI::IsMember({kAllMaterials, kLambertianMaterials, kUntexturedMaterials}))
+      ->capture_default_str();
   command->add_flag("--stats", flags->stats, "Print what is in the scene");
   AddRunFlags(*command, flags->run);
   command->callback([flags] { RunScene(*flags); });

@@ -17,12 +17,14 @@ constexpr float kKnee = 0.6F;
 }  // namespace
 
 Sensor::Sensor(const SensorSpec& spec)
-    : exposure_(static_cast<float>(spec.exposure)), has_shoulder_(spec.tone_curve == "shoulder") {
+    : exposure_(static_cast<float>(spec.exposure.value_or(0.0))),
+      has_shoulder_(spec.tone_curve == "shoulder") {
   if (!has_shoulder_ && spec.tone_curve != "clip") {
     throw InputError("sensor.tone_curve: expected clip or shoulder, got '{}'", spec.tone_curve);
   }
-  if (!(spec.exposure > 0.0)) {
-    throw InputError("sensor.exposure: expected > 0, got {}", spec.exposure);
+  PFSEQ_CHECK(spec.exposure.has_value(), "the exposure must have been settled");
+  if (!(*spec.exposure > 0.0)) {
+    throw InputError("sensor.exposure: expected > 0, got {}", *spec.exposure);
   }
 }
 

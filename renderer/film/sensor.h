@@ -13,7 +13,8 @@ namespace pfseq {
 
 class Sensor {
  public:
-  /// InputError when the tone curve's name is unknown or the exposure is not positive.
+  /// The exposure must be a number (AutoExposure has settled it). InputError when the tone curve's
+  /// name is unknown or the exposure is not positive.
   explicit Sensor(const SensorSpec& spec);
 
   /// The tone curve, from exposed linear values to [0, 1]. clip: min(x, 1). shoulder: x up to the

@@ -190,6 +190,29 @@ Image<float> ReadExr(const std::filesystem::path& path) {
   return ReadPixels<float>(path.string(), opened, OIIO::TypeDesc::FLOAT);
 }
 
+Image<float> ReadHdrRgb(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) {
+    throw InputError("{}: no such file", path.string());
+  }
+  OpenedImage opened = Open(path.string(), path.string(), nullptr);
+  const std::string format = opened.input->format_name();
+  if (format != "openexr" && format != "hdr") {
+    throw InputError("{}: expected an OpenEXR or Radiance HDR file, got {}", path.string(), format);
+  }
+  const Image<float> image = ReadPixels<float>(path.string(), opened, OIIO::TypeDesc::FLOAT);
+  const int num_channels = image.NumChannels();
+  Image<float> rgb(image.WidthPx(), image.HeightPx(), 3);
+  for (size_t i = 0; i < image.NumPixels(); ++i) {
+    for (size_t channel = 0; channel < 3; ++channel) {
+      rgb.Values()[3 * i + channel] =
+          image.Values()[i * num_channels + (num_channels < 3 ? 0 : channel)];
+    }
+  }
+  return rgb;
+}
+
+bool IsExr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
+
 Image<uint8_t> DecodeImage8Rgba(std::span<const std::byte> bytes, const std::string& origin) {
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(bytes.data()), bytes.size());
   const auto starts_with = [&](std::string_view magic) {

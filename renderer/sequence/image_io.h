@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pfseq {
@@ -33,6 +34,13 @@ Image<uint8_t> ReadImage8(const std::filesystem::path& path);
 
 /// An OpenEXR file of float or half values. InputError as above.
 Image<float> ReadExr(const std::filesystem::path& path);
+
+/// An OpenEXR or Radiance HDR file as 3 channels; a single one counts for all three. InputError as
+/// above.
+Image<float> ReadHdrRgb(const std::filesystem::path& path);
+
+/// Whether a file's bytes are those of an OpenEXR file.
+bool IsExr(std::string_view bytes);
 
 /// An 8-bit image in memory (PNG, JPEG, ...) as 4 channels; 16-bit sources are reduced. InputError
 /// with `origin`.

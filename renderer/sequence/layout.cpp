@@ -80,8 +80,14 @@ std::optional<FrameFile> FrameFile::FromRelativePath(const std::filesystem::path
 
 bool BelongsToSequence(const std::filesystem::path& relative_path) {
   const std::string name = relative_path.string();
-  for (const std::string_view known :
-       {kSequenceFile, kSceneFile, kRigFile, kPosesFile, kTumInputFile, kCsvInputFile}) {
+  for (const std::string_view known : {kSequenceFile,
+                                       kSceneFile,
+                                       kRigFile,
+                                       kPosesFile,
+                                       kTumInputFile,
+                                       kCsvInputFile,
+                                       kExrSkyMapFile,
+                                       kHdrSkyMapFile}) {
     if (name == known) {
       return true;
     }

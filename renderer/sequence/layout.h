@@ -36,6 +36,9 @@ inline constexpr std::string_view kPosesFile = "poses.csv";
 /// again by itself.
 inline constexpr std::string_view kTumInputFile = "trajectory_input.txt";
 inline constexpr std::string_view kCsvInputFile = "trajectory_input.csv";
+/// Likewise of the sky map, by its format.
+inline constexpr std::string_view kExrSkyMapFile = "sky_map.exr";
+inline constexpr std::string_view kHdrSkyMapFile = "sky_map.hdr";
 
 /// trajectory_CAMERA.txt
 std::string TrajectoryFile(std::string_view camera);

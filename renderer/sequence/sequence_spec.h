@@ -120,6 +120,14 @@ struct SunSpec {
   double elevation_deg = 40.0;
   /// Compass-free: counter-clockwise from the world's X axis, seen from above.
   double azimuth_deg = 130.0;
+  /// Date and time with the offset from UTC, "2014-06-21T15:30:00+02:00"; when given, elevation and
+  /// azimuth above follow from it, the place and north_deg, which the file then has instead of
+  /// them. Empty: the angles were given themselves.
+  std::string date_time;
+  double latitude_deg = 48.85;
+  double longitude_deg = 2.35;
+  /// Direction of north, counter-clockwise from the world's X axis.
+  double north_deg = 90.0;
   /// Diameter of the disc.
   double angular_diameter_deg = 0.53;
   /// Multiplies the sun's physical strength; 0 turns it off.
@@ -128,12 +136,27 @@ struct SunSpec {
   bool operator==(const SunSpec&) const = default;
 };
 
+/// light.sky.clouds: procedural clouds over the clear sky; the other models have none.
+struct CloudSpec {
+  /// Share of the sky above the horizon that clouds cover; 0 none. A cloud before the sun dims it.
+  double share = 0.0;
+  /// Another seed makes other clouds.
+  uint64_t seed = 1;
+
+  bool operator==(const CloudSpec&) const = default;
+};
+
 struct SkySpec {
-  /// clear (analytic, from sun and turbidity) or constant.
+  /// clear (analytic, from sun and turbidity), constant or map.
   std::string model = "clear";
   double turbidity = 3.0;
+  CloudSpec clouds;
   /// Radiance of the constant sky.
   std::array<double, 3> radiance = {1.0, 1.0, 1.0};
+  /// Path of a latitude-longitude HDR image (EXR or HDR), or empty. It brings its own sun.
+  std::string map;
+  /// Turns the map about Z, counter-clockwise seen from above.
+  double map_rotation_deg = 0.0;
   /// Multiplies the sky's strength; 0 turns it off.
   double strength = 1.0;
 
@@ -141,8 +164,8 @@ struct SkySpec {
 };
 
 struct LightSpec {
-  /// Absent only for a glTF scene: its own sun if it has one, else the default SunSpec. A canyon
-  /// always has one.
+  /// Absent for a sky map, which brings its own sun, and for a glTF scene: its own sun if it has
+  /// one, else the default SunSpec. A canyon under another sky always has one.
   std::optional<SunSpec> sun;
   SkySpec sky;
 
@@ -150,9 +173,17 @@ struct LightSpec {
 };
 
 struct RenderSpec {
+  /// cached: skylight and indirect light are computed once and stored on the surfaces; path: every
+  /// pixel traces whole paths, the reference.
+  std::string light = "cached";
+  /// Cached light: how finely it is stored. Twice the value halves the spacing of the records and
+  /// makes each of four times the rays.
+  double light_quality = 1.0;
   uint64_t seed = 1;
-  /// Paths per pixel.
-  int samples = 16;
+  /// Samples of each pixel (paths, with light: path).
+  int samples = 8;
+  /// Cached light: pixels whose samples differ get more of them, up to this many.
+  int max_samples = 32;
   /// Scattering events along a path at most.
   int max_bounces = 6;
   /// Least roughness of surfaces that a path meets after its first one; 0: no bias.
@@ -162,8 +193,9 @@ struct RenderSpec {
 };
 
 struct SensorSpec {
-  /// Multiplies linear radiance before the tone curve.
-  double exposure = 0.06;
+  /// Multiplies linear radiance before the tone curve. Absent ("auto" in the file): follows from
+  /// the light (renderer/film/exposure.h); a rendered sequence's description has the number.
+  std::optional<double> exposure;
   /// clip (linear up to white) or shoulder (highlights roll off smoothly).
   std::string tone_curve = "shoulder";
 

@@ -21,6 +21,9 @@ class YamlMappingView {
 
   bool Has(const std::string& child) const { return yaml_.Find(child) != nullptr; }
 
+  /// The child's value, or null.
+  const YamlValue* Find(const std::string& child) const { return yaml_.Find(child); }
+
   /// InputError at the child's place, or at the mapping's when the child is not there.
   [[noreturn]] void Fail(const std::string& child, const std::string& text) const {
     const YamlValue* value = yaml_.Find(child);

@@ -245,6 +245,17 @@ void CheckName(const YamlEntry& entry, const std::string& key, const YamlValue& 
   }
 }
 
+bool HasOverride(const YamlValue* yaml) {
+  return yaml != nullptr &&
+         ((yaml->origin.IsOverride() && !yaml->origin.is_implied) ||
+          std::any_of(yaml->items.begin(),
+                      yaml->items.end(),
+                      [](const YamlValue& item) { return HasOverride(&item); }) ||
+          std::any_of(yaml->entries.begin(), yaml->entries.end(), [](const YamlEntry& entry) {
+            return HasOverride(&entry.value);
+          }));
+}
+
 YamlValue ResolveExclusive(YamlValue yaml,
                            const std::string& key,
                            const std::vector<std::string>& keys) {

@@ -87,6 +87,8 @@ void CheckKnownKeys(const YamlValue& yaml,
                     const std::vector<std::string>& known);
 /// Fails unless a name (lenses.NAME) is of the form [a-z0-9_]+ and was written by somebody.
 void CheckName(const YamlEntry& entry, const std::string& key, const YamlValue& mapping);
+/// Whether the value, or anything inside it, was set by an override. False for null.
+bool HasOverride(const YamlValue* yaml);
 /// The mapping without alternatives to what an override set. Fails if several of the keys are left.
 YamlValue ResolveExclusive(YamlValue yaml,
                            const std::string& key,
@@ -170,6 +172,37 @@ class YamlOptionalType : public YamlType<std::optional<T>> {
 template <typename T>
 YamlTypePtr<std::optional<T>> YamlOptional(YamlTypePtr<T> type) {
   return std::make_shared<YamlOptionalType<T>>(std::move(type));
+}
+
+/// A value, or a word that stands for none.
+template <typename T>
+class YamlWordOrType : public YamlType<std::optional<T>> {
+ public:
+  YamlWordOrType(std::string word, YamlTypePtr<T> type)
+      : word_(std::move(word)), type_(std::move(type)) {}
+
+  void Read(const YamlValue& yaml, const std::string& key, std::optional<T>& value) const override {
+    if (yaml.kind == YamlValue::Kind::kScalar && yaml.text == word_) {
+      value.reset();
+    } else {
+      type_->Read(yaml, key, value.emplace());
+    }
+  }
+
+  YamlValue Write(const std::optional<T>& value) const override {
+    return value ? type_->Write(*value) : YamlValue::Scalar(word_);
+  }
+
+  std::string Expected() const override { return word_ + " or " + type_->Expected(); }
+
+ private:
+  std::string word_;
+  YamlTypePtr<T> type_;
+};
+
+template <typename T>
+YamlTypePtr<std::optional<T>> YamlWordOr(std::string word, YamlTypePtr<T> type) {
+  return std::make_shared<YamlWordOrType<T>>(std::move(word), std::move(type));
 }
 
 /// A mapping from names to values, at least one.

@@ -46,13 +46,13 @@ Bsdf::Bsdf(const BsdfParameters& parameters, const Vec3d& to_viewer)
   }
   viewer_lambda_ = ggx_.Lambda(to_viewer);
   const SpecularAlbedo& table = SpecularAlbedo::Table();
-  const double mean_albedo = Albedo(table.Mean(roughness_), dielectric_f0_, dielectric_f90_);
+  mean_albedo_ = Albedo(table.Mean(roughness_), dielectric_f0_, dielectric_f90_);
   const double viewer_share = DiffuseShare(to_viewer.z());
-  diffuse_ *= static_cast<float>(viewer_share / (1.0 - mean_albedo));
+  diffuse_ *= static_cast<float>(viewer_share / (1.0 - mean_albedo_));
 
   const SpecularAlbedo::Scales scales = table.Directional(to_viewer.z(), roughness_);
   const double specular_albedo = Albedo(scales, Luminance(specular_.f0), Luminance(specular_.f90));
-  const double diffuse_albedo = Luminance(diffuse_) * std::numbers::pi * (1.0 - mean_albedo);
+  const double diffuse_albedo = Luminance(diffuse_) * std::numbers::pi * (1.0 - mean_albedo_);
   specular_probability_ = diffuse_albedo > 0.0
                               ? std::clamp(specular_albedo / (specular_albedo + diffuse_albedo),
                                            kMinLobeProbability,
@@ -66,27 +66,64 @@ double Bsdf::DiffuseShare(double cosine) const {
                       dielectric_f90_);
 }
 
-BsdfValue Bsdf::Evaluate(const Vec3d& to_light) const {
+Rgb Bsdf::EvaluateDiffuse(const Vec3d& to_light) const {
   const double cosine = to_light.z();
   if (cosine <= 0.0) {
+    return Rgb::Zero();
+  }
+  const double diffuse_share = dielectric_f90_ > 0.0 ? DiffuseShare(cosine) : 1.0;
+  return diffuse_ * static_cast<float>(diffuse_share * cosine);
+}
+
+BsdfValue Bsdf::EvaluateSpecular(const Vec3d& to_light) const {
+  if (to_light.z() <= 0.0 || specular_probability_ == 0.0) {
     return {};
   }
-  BsdfValue result;
-  const double diffuse_share = dielectric_f90_ > 0.0 ? DiffuseShare(cosine) : 1.0;
-  result.value_cosine = diffuse_ * static_cast<float>(diffuse_share * cosine);
-  result.pdf = (1.0 - specular_probability_) * cosine * std::numbers::inv_pi;
-  if (specular_probability_ > 0.0) {
-    const Vec3d half = (to_viewer_ + to_light).normalized();
-    const double density = ggx_.Density(half);
-    // f = F D G2 / (4 v_z l_z), of which l_z cancels with the cosine.
-    const double common = density / (4.0 * to_viewer_.z());
-    const double masking = 1.0 / (1.0 + viewer_lambda_ + ggx_.Lambda(to_light));
-    const auto weight = static_cast<float>(SchlickWeight(to_viewer_.dot(half)));
-    const Rgb fresnel = specular_.f0 + (specular_.f90 - specular_.f0) * weight;
-    result.value_cosine += fresnel * static_cast<float>(common * masking);
-    result.pdf += specular_probability_ * common / (1.0 + viewer_lambda_);
+  const Vec3d half = (to_viewer_ + to_light).normalized();
+  const double density = ggx_.Density(half);
+  // f = F D G2 / (4 v_z l_z), of which l_z cancels with the cosine.
+  const double common = density / (4.0 * to_viewer_.z());
+  const double masking = 1.0 / (1.0 + viewer_lambda_ + ggx_.Lambda(to_light));
+  const auto weight = static_cast<float>(SchlickWeight(to_viewer_.dot(half)));
+  const Rgb fresnel = specular_.f0 + (specular_.f90 - specular_.f0) * weight;
+  return {fresnel * static_cast<float>(common * masking), common / (1.0 + viewer_lambda_)};
+}
+
+BsdfValue Bsdf::Evaluate(const Vec3d& to_light) const {
+  if (to_light.z() <= 0.0) {
+    return {};
   }
-  return result;
+  const BsdfValue specular = EvaluateSpecular(to_light);
+  return {EvaluateDiffuse(to_light) + specular.value_cosine,
+          (1.0 - specular_probability_) * to_light.z() * std::numbers::inv_pi +
+              specular_probability_ * specular.pdf};
+}
+
+Rgb Bsdf::DiffuseReflectance() const {
+  return diffuse_ * static_cast<float>(std::numbers::pi * (1.0 - mean_albedo_));
+}
+
+Rgb Bsdf::SpecularReflectance() const {
+  if (specular_probability_ == 0.0) {
+    return Rgb::Zero();
+  }
+  const SpecularAlbedo::Scales scales =
+      SpecularAlbedo::Table().Directional(to_viewer_.z(), roughness_);
+  return specular_.f0 * static_cast<float>(scales.f0_scale) +
+         specular_.f90 * static_cast<float>(scales.f90_scale);
+}
+
+std::optional<BsdfSample> Bsdf::SampleSpecular(const Vec2d& direction_sample) const {
+  if (specular_probability_ == 0.0) {
+    return std::nullopt;
+  }
+  const Vec3d half = ggx_.SampleVisibleNormal(to_viewer_, direction_sample);
+  const Vec3d to_light = (2.0 * to_viewer_.dot(half) * half - to_viewer_).normalized();
+  const BsdfValue value = EvaluateSpecular(to_light);
+  if (!(value.pdf > 0.0) || value.value_cosine.maxCoeff() <= 0.0F) {
+    return std::nullopt;
+  }
+  return BsdfSample{to_light, value.value_cosine / static_cast<float>(value.pdf), value.pdf};
 }
 
 std::optional<BsdfSample> Bsdf::Sample(double lobe_sample, const Vec2d& direction_sample) const {

@@ -52,6 +52,18 @@ class Bsdf {
   /// Zero below the surface.
   BsdfValue Evaluate(const Vec3d& to_light) const;
 
+  /// The two parts of Evaluate's value. The specular part comes with SampleSpecular's density.
+  Rgb EvaluateDiffuse(const Vec3d& to_light) const;
+  BsdfValue EvaluateSpecular(const Vec3d& to_light) const;
+
+  /// What the viewer gets of a surrounding of radiance 1 by the diffuse and by the specular lobe.
+  Rgb DiffuseReflectance() const;
+  Rgb SpecularReflectance() const;
+
+  /// A direction of the specular lobe alone; the weight is that lobe's. Nothing when the direction
+  /// lies below the surface or there is no such lobe.
+  std::optional<BsdfSample> SampleSpecular(const Vec2d& direction_sample) const;
+
   /// Chooses the lobe by one number in [0, 1) and the direction within it by two. Nothing when the
   /// direction lies below the surface or the surface is black.
   std::optional<BsdfSample> Sample(double lobe_sample, const Vec2d& direction_sample) const;
@@ -75,6 +87,7 @@ class Bsdf {
   /// Diffuse albedo over pi and the factors of the viewer's direction and of normalisation.
   Rgb diffuse_;
   double viewer_lambda_ = 0.0;
+  double mean_albedo_ = 0.0;
   /// Probability that Sample takes the specular lobe.
   double specular_probability_ = 0.0;
 };

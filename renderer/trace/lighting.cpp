@@ -4,8 +4,10 @@
 #include "renderer/core/check.h"
 #include "renderer/core/error.h"
 #include "renderer/core/units.h"
+#include "renderer/trace/clouds.h"
 #include "renderer/trace/color.h"
 #include "renderer/trace/material.h"
+#include "renderer/trace/sky_map.h"
 
 #include <algorithm>
 #include <array>
@@ -70,7 +72,7 @@ double OpticalMass(double elevation_rad) {
 }  // namespace
 
 SunDisc::SunDisc(const Vec3d& direction_to_sun, const Rgb& irradiance, double angular_diameter_rad)
-    : direction_(direction_to_sun.normalized()) {
+    : direction_(direction_to_sun.normalized()), irradiance_(irradiance) {
   PFSEQ_CHECK(angular_diameter_rad > 0.0 && angular_diameter_rad < std::numbers::pi,
               "{} rad",
               angular_diameter_rad);
@@ -118,31 +120,67 @@ Sun MakeSun(const SunSpec& spec, double turbidity) {
   return sun;
 }
 
-Lighting MakeLighting(const LightSpec& spec, const std::optional<Sun>& scene_sun) {
-  const bool is_clear = spec.sky.model == "clear";
-  if (!is_clear && spec.sky.model != "constant") {
-    throw InputError("light.sky.model: expected clear or constant, got '{}'", spec.sky.model);
+namespace {
+
+void CheckNames(const SkySpec& sky) {
+  if (sky.model != "clear" && sky.model != "constant" && sky.model != "map") {
+    throw InputError("light.sky.model: expected clear, constant or map, got '{}'", sky.model);
   }
-  if (!(spec.sky.turbidity >= kMinTurbidity && spec.sky.turbidity <= kMaxTurbidity)) {
+  if (!(sky.turbidity >= kMinTurbidity && sky.turbidity <= kMaxTurbidity)) {
     throw InputError("light.sky.turbidity: expected {} to {}, got {}",
                      kMinTurbidity,
                      kMaxTurbidity,
-                     spec.sky.turbidity);
+                     sky.turbidity);
+  }
+}
+
+Lighting LightingFromMap(const SkySpec& spec) {
+  const SkyMap map = SkyMap::Read(spec.map, RadFromDeg(spec.map_rotation_deg));
+  Lighting lighting{std::nullopt, Sky::FromMap(map, spec.strength)};
+  if (map.Sun().has_value() && spec.strength > 0.0) {
+    lighting.sun.emplace(map.Sun()->direction_to_sun,
+                         map.Sun()->irradiance * static_cast<float>(spec.strength),
+                         RadFromDeg(SunSpec{}.angular_diameter_deg));
+  }
+  return lighting;
+}
+
+Sky ConstantSky(const SkySpec& spec) {
+  return Sky::Constant(static_cast<float>(spec.strength) *
+                       Rgb(static_cast<float>(spec.radiance[0]),
+                           static_cast<float>(spec.radiance[1]),
+                           static_cast<float>(spec.radiance[2])));
+}
+
+}  // namespace
+
+Lighting MakeLighting(const LightSpec& spec, const std::optional<Sun>& scene_sun) {
+  CheckNames(spec.sky);
+  if (spec.sky.model == "map") {
+    return LightingFromMap(spec.sky);
   }
   const SunSpec sun_spec = spec.sun.value_or(SunSpec{});
-  const Sun sun = spec.sun.has_value() || !scene_sun.has_value()
-                      ? MakeSun(sun_spec, spec.sky.turbidity)
-                      : *scene_sun;
+  const double diameter_rad = RadFromDeg(sun_spec.angular_diameter_deg);
+  Sun sun = spec.sun.has_value() || !scene_sun.has_value() ? MakeSun(sun_spec, spec.sky.turbidity)
+                                                           : *scene_sun;
   const Vec3d direction = sun.direction_to_sun.cast<double>();
-  const auto strength = static_cast<float>(spec.sky.strength);
-  const Rgb constant = strength * Rgb(static_cast<float>(spec.sky.radiance[0]),
-                                      static_cast<float>(spec.sky.radiance[1]),
-                                      static_cast<float>(spec.sky.radiance[2]));
   Lighting lighting{std::nullopt,
-                    is_clear ? Sky::Clear(direction, spec.sky.turbidity, spec.sky.strength)
-                             : Sky::Constant(constant)};
+                    spec.sky.model == "constant"
+                        ? ConstantSky(spec.sky)
+                        : Sky::Clear(direction, spec.sky.turbidity, spec.sky.strength)};
+  if (spec.sky.model == "clear" && spec.sky.clouds.share > 0.0) {
+    // The sky's strength is that of its clouds too.
+    const Clouds clouds(spec.sky.clouds.share,
+                        spec.sky.clouds.seed,
+                        {direction,
+                         sun.irradiance * static_cast<float>(spec.sky.strength),
+                         lighting.sky.HorizontalIrradiance(),
+                         spec.sky.turbidity});
+    lighting.sky = lighting.sky.With(clouds);
+    sun.irradiance *= clouds.SunTransmittance(diameter_rad);
+  }
   if (sun.irradiance.maxCoeff() > 0.0F) {
-    lighting.sun.emplace(direction, sun.irradiance, RadFromDeg(sun_spec.angular_diameter_deg));
+    lighting.sun.emplace(direction, sun.irradiance, diameter_rad);
   }
   return lighting;
 }

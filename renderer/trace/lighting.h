@@ -28,6 +28,8 @@ class SunDisc {
   double Pdf() const { return pdf_; }
 
   const Rgb& Radiance() const { return radiance_; }
+  /// On a surface that faces the disc's centre.
+  const Rgb& Irradiance() const { return irradiance_; }
   const Vec3d& DirectionToSun() const { return direction_; }
 
  private:
@@ -36,6 +38,7 @@ class SunDisc {
   double cap_height_;
   double cos_radius_;
   double pdf_;
+  Rgb irradiance_;
   Rgb radiance_;
 };
 
@@ -51,7 +54,9 @@ struct Lighting {
 Sun MakeSun(const SunSpec& spec, double turbidity);
 
 /// The sun of the description if it has one, else the scene's own, else the default one; with the
-/// description's sky. InputError when a name is unknown or the turbidity outside the sky's range.
+/// description's sky. Clouds dim the sun by what they let pass, on average over its disc. A sky map
+/// is read from its file and brings its own sun or none, whatever the others are. InputError when a
+/// name is unknown, the turbidity outside the sky's range, or the map no good.
 Lighting MakeLighting(const LightSpec& spec, const std::optional<Sun>& scene_sun);
 
 }  // namespace pfseq

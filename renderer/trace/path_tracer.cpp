@@ -25,9 +25,10 @@ float PowerHeuristic(double pdf, double other_pdf) {
 }  // namespace
 
 PathTracer::PathTracer(const RayScene& scene,
+                       const TextureSet& textures,
                        const Lighting& lighting,
                        const PathTracerOptions& options)
-    : scene_(scene), lighting_(lighting), options_(options), textures_(scene.PlainScene()) {}
+    : scene_(scene), textures_(textures), lighting_(lighting), options_(options) {}
 
 Rgb PathTracer::Radiance(const Vec3d& origin_m,
                          const Vec3d& direction,

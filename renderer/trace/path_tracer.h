@@ -26,8 +26,11 @@ struct PathTracerOptions {
 /// one.
 class PathTracer {
  public:
-  /// The scene must outlive this.
-  PathTracer(const RayScene& scene, const Lighting& lighting, const PathTracerOptions& options);
+  /// All must outlive this.
+  PathTracer(const RayScene& scene,
+             const TextureSet& textures,
+             const Lighting& lighting,
+             const PathTracerOptions& options);
 
   /// One estimate of the radiance that arrives at `origin_m` against the unit direction,
   /// always finite.
@@ -39,9 +42,9 @@ class PathTracer {
   Rgb SkyLight(const SurfacePoint& point, const Vec2d& sample) const;
 
   const RayScene& scene_;
-  Lighting lighting_;
+  const TextureSet& textures_;
+  const Lighting& lighting_;
   PathTracerOptions options_;
-  TextureSet textures_;
 };
 
 }  // namespace pfseq

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -77,18 +78,43 @@ void RejectHoles(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-RTCRay EmbreeRay(const Vec3d& origin_m, const Vec3d& direction, double max_distance_m) {
+RTCRay EmbreeRay(const Vec3f& origin_m, const Vec3f& direction, float max_distance_m) {
   RTCRay ray{};
-  ray.org_x = static_cast<float>(origin_m.x());
-  ray.org_y = static_cast<float>(origin_m.y());
-  ray.org_z = static_cast<float>(origin_m.z());
-  ray.dir_x = static_cast<float>(direction.x());
-  ray.dir_y = static_cast<float>(direction.y());
-  ray.dir_z = static_cast<float>(direction.z());
+  ray.org_x = origin_m.x();
+  ray.org_y = origin_m.y();
+  ray.org_z = origin_m.z();
+  ray.dir_x = direction.x();
+  ray.dir_y = direction.y();
+  ray.dir_z = direction.z();
   ray.tnear = 0.0F;
-  ray.tfar = static_cast<float>(max_distance_m);
+  ray.tfar = max_distance_m;
   ray.mask = ~0U;
   return ray;
+}
+
+void FillPacket(const RayPacket& rays, RTCRay8& query, std::array<int, kPacketSize>& valid) {
+  std::copy_n(rays.origin_x_m.data(), kPacketSize, query.org_x);
+  std::copy_n(rays.origin_y_m.data(), kPacketSize, query.org_y);
+  std::copy_n(rays.origin_z_m.data(), kPacketSize, query.org_z);
+  std::copy_n(rays.direction_x.data(), kPacketSize, query.dir_x);
+  std::copy_n(rays.direction_y.data(), kPacketSize, query.dir_y);
+  std::copy_n(rays.direction_z.data(), kPacketSize, query.dir_z);
+  std::fill_n(query.tnear, kPacketSize, 0.0F);
+  std::fill_n(query.tfar, kPacketSize, std::numeric_limits<float>::infinity());
+  std::fill_n(query.time, kPacketSize, 0.0F);
+  std::fill_n(query.mask, kPacketSize, ~0U);
+  std::fill_n(query.flags, kPacketSize, 0U);
+  for (int i = 0; i < kPacketSize; ++i) {
+    valid[static_cast<size_t>(i)] = rays.IsActive(i) ? -1 : 0;
+  }
+}
+
+RTCIntersectContext PacketContext(Coherence coherence) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = coherence == Coherence::kCoherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                    : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  return context;
 }
 
 }  // namespace
@@ -128,6 +154,26 @@ struct RayScene::Embree {
   }
 
   void AddMesh(const Mesh& mesh, AlphaMask* mask);
+
+  std::optional<PacketHit> Intersect(const RTCRay& ray) const {
+    RTCRayHit query{};
+    query.ray = ray;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+      return std::nullopt;
+    }
+    return PacketHit{query.hit.geomID, query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
+  }
+
+  bool Occluded(RTCRay ray) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+    return ray.tfar < 0.0F;
+  }
 
   /// Builds the acceleration structure on one thread. (Embree's own setting "threads=1" would hold
   /// for every user of TBB in the process.)
@@ -202,17 +248,20 @@ RayScene::~RayScene() = default;
 std::optional<RayHit> RayScene::Intersect(const Vec3d& origin_m,
                                           const Vec3d& direction,
                                           double max_distance_m) const {
-  RTCRayHit query{};
-  query.ray = EmbreeRay(origin_m, direction, max_distance_m);
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(embree_->scene, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
-    return std::nullopt;
-  }
-  const Mesh& mesh = scene_->meshes[query.hit.geomID];
-  const std::array<uint32_t, 3>& triangle = mesh.triangles[query.hit.primID];
+  const std::optional<PacketHit> hit = embree_->Intersect(EmbreeRay(
+      origin_m.cast<float>(), direction.cast<float>(), static_cast<float>(max_distance_m)));
+  return hit.has_value() ? std::optional(ExactHit(*hit, origin_m, direction)) : std::nullopt;
+}
+
+std::optional<PacketHit> RayScene::Intersect(const Vec3f& origin_m, const Vec3f& direction) const {
+  return embree_->Intersect(EmbreeRay(origin_m, direction, std::numeric_limits<float>::infinity()));
+}
+
+RayHit RayScene::ExactHit(const PacketHit& found,
+                          const Vec3d& origin_m,
+                          const Vec3d& direction) const {
+  const Mesh& mesh = scene_->meshes[found.mesh_idx];
+  const std::array<uint32_t, 3>& triangle = mesh.triangles[found.triangle_idx];
   const Vec3d vertex0 = mesh.positions_m[triangle[0]].cast<double>();
   const Vec3d edge1 = mesh.positions_m[triangle[1]].cast<double>() - vertex0;
   const Vec3d edge2 = mesh.positions_m[triangle[2]].cast<double>() - vertex0;
@@ -221,12 +270,12 @@ std::optional<RayHit> RayScene::Intersect(const Vec3d& origin_m,
   const double normal_norm = std::sqrt(squared_norm);
 
   RayHit hit;
-  hit.mesh_idx = query.hit.geomID;
-  hit.triangle_idx = query.hit.primID;
+  hit.mesh_idx = found.mesh_idx;
+  hit.triangle_idx = found.triangle_idx;
   hit.geometric_normal = normal / normal_norm;
-  hit.distance_m = query.ray.tfar;
-  hit.u = query.hit.u;
-  hit.v = query.hit.v;
+  hit.distance_m = found.distance_m;
+  hit.u = found.u;
+  hit.v = found.v;
   const double slope = normal.dot(direction);
   if (std::abs(slope) > kGrazingCosine * normal_norm) {
     const Vec3d to_vertex0 = vertex0 - origin_m;
@@ -241,11 +290,48 @@ std::optional<RayHit> RayScene::Intersect(const Vec3d& origin_m,
 bool RayScene::Occluded(const Vec3d& origin_m,
                         const Vec3d& direction,
                         double max_distance_m) const {
-  RTCRay ray = EmbreeRay(origin_m, direction, max_distance_m);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(embree_->scene, &context, &ray);
-  return ray.tfar < 0.0F;
+  return embree_->Occluded(EmbreeRay(
+      origin_m.cast<float>(), direction.cast<float>(), static_cast<float>(max_distance_m)));
+}
+
+bool RayScene::Occluded(const Vec3f& origin_m, const Vec3f& direction) const {
+  return embree_->Occluded(EmbreeRay(origin_m, direction, std::numeric_limits<float>::infinity()));
+}
+
+void RayScene::Intersect(const RayPacket& rays, Coherence coherence, HitPacket& hits) const {
+  RTCRayHit8 query;
+  alignas(32) std::array<int, kPacketSize> valid;
+  FillPacket(rays, query.ray, valid);
+  std::fill_n(query.hit.geomID, kPacketSize, RTC_INVALID_GEOMETRY_ID);
+  std::fill_n(query.hit.instID[0], kPacketSize, RTC_INVALID_GEOMETRY_ID);
+  RTCIntersectContext context = PacketContext(coherence);
+  rtcIntersect8(valid.data(), embree_->scene, &context, &query);
+  std::copy_n(query.hit.geomID, kPacketSize, hits.mesh_idx.data());
+  std::copy_n(query.hit.primID, kPacketSize, hits.triangle_idx.data());
+  std::copy_n(query.ray.tfar, kPacketSize, hits.distance_m.data());
+  std::copy_n(query.hit.u, kPacketSize, hits.u.data());
+  std::copy_n(query.hit.v, kPacketSize, hits.v.data());
+  hits.hit = 0;
+  for (int i = 0; i < kPacketSize; ++i) {
+    hits.hit |= query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? 1U << i : 0U;
+  }
+  hits.hit &= rays.active;
+}
+
+uint32_t RayScene::Occluded(const RayPacket& rays, Coherence coherence) const {
+  if (rays.active == 0) {
+    return 0;
+  }
+  RTCRay8 query;
+  alignas(32) std::array<int, kPacketSize> valid;
+  FillPacket(rays, query, valid);
+  RTCIntersectContext context = PacketContext(coherence);
+  rtcOccluded8(valid.data(), embree_->scene, &context, &query);
+  uint32_t occluded = 0;
+  for (int i = 0; i < kPacketSize; ++i) {
+    occluded |= query.tfar[i] < 0.0F ? 1U << i : 0U;
+  }
+  return occluded & rays.active;
 }
 
 int64_t RayScene::MemoryBytes() const { return embree_->memory_bytes.load(); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/core/vector.h"
+#include "renderer/trace/ray_packet.h"
 #include "renderer/trace/scene.h"
 
 #include <cstdint>
@@ -50,6 +51,19 @@ class RayScene {
   bool Occluded(const Vec3d& origin_m,
                 const Vec3d& direction,
                 double max_distance_m = std::numeric_limits<double>::infinity()) const;
+
+  /// The same for shading, in the ray tracer's float arithmetic.
+  std::optional<PacketHit> Intersect(const Vec3f& origin_m, const Vec3f& direction) const;
+  bool Occluded(const Vec3f& origin_m, const Vec3f& direction) const;
+
+  /// The nearest hits of eight rays.
+  void Intersect(const RayPacket& rays, Coherence coherence, HitPacket& hits) const;
+
+  /// The same place worked out in double from the triangle's vertices, for the given ray.
+  RayHit ExactHit(const PacketHit& hit, const Vec3d& origin_m, const Vec3d& direction) const;
+
+  /// Bit i is set when anything lies along ray i.
+  uint32_t Occluded(const RayPacket& rays, Coherence coherence) const;
 
   const Scene& PlainScene() const { return *scene_; }
 

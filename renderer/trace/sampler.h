@@ -46,6 +46,17 @@ class PixelSampler {
         static_cast<uint64_t>(kCameraDraws) + static_cast<uint64_t>(vertex_idx) * kDrawsPerVertex;
   }
 
+  /// Leaves out draws.
+  void Skip(int num_draws) { draw_idx_ += static_cast<uint64_t>(num_draws); }
+
+  /// The same pixel's numbers for another sample, from the first draw.
+  PixelSampler ForSample(uint32_t sample_idx) const {
+    PixelSampler sampler = *this;
+    sampler.sample_idx_ = sample_idx;
+    sampler.draw_idx_ = 0;
+    return sampler;
+  }
+
   double Get1D();
   Vec2d Get2D();
 

@@ -4,30 +4,42 @@
 #pragma once
 
 #include "renderer/core/vector.h"
+#include "renderer/trace/clear_sky.h"
+#include "renderer/trace/dome.h"
 
-#include <array>
-#include <vector>
+#include <memory>
 
 namespace pfseq {
 
-/// Least and greatest turbidity for which the clear sky's formulas give light everywhere.
-inline constexpr double kMinTurbidity = 1.8;
-inline constexpr double kMaxTurbidity = 10.0;
+class Clouds;
+class SkyMap;
 
+/// Any sky: either the same in all directions or an image of all directions made once, so that
+/// looking it up costs the same for all. Copies share the image.
 class Sky {
  public:
   /// The same radiance in all directions, below the horizon too.
   static Sky Constant(const Rgb& radiance);
 
-  /// Preetham, Shirley and Smits 1999, "A Practical Analytic Model for Daylight": Perez's luminance
-  /// distribution with coefficients by turbidity. A sun below the horizon counts as on it. Below
-  /// the horizon the scene's geometry is thought to go on as a Lambertian ground of albedo 0.2 that
-  /// the sky lights (not the sun): one radiance. `strength` multiplies it all. Turbidity must lie
-  /// in [kMinTurbidity, kMaxTurbidity].
+  /// ClearSky above the horizon. Below it the scene's geometry is thought to go on as a Lambertian
+  /// ground of albedo 0.2 that the sky lights (not the sun): one radiance.
   static Sky Clear(const Vec3d& direction_to_sun, double turbidity, double strength);
 
-  /// Toward a unit direction.
-  Rgb Radiance(const Vec3d& direction) const;
+  /// Clouds before this sky; the ground below the horizon follows.
+  Sky With(const Clouds& clouds) const;
+
+  /// A map of all directions, times `strength`.
+  static Sky FromMap(const SkyMap& map, double strength);
+
+  /// Toward a unit direction of either precision; looked up in single precision.
+  template <typename Direction>
+  Rgb Radiance(const Eigen::MatrixBase<Direction>& direction) const {
+    if (images_ == nullptr) {
+      return constant_;
+    }
+    const Vec3f direction_f = direction.template cast<float>();
+    return (direction_f.z() >= 0.0F ? images_->upper : images_->lower).At(direction_f);
+  }
 
   struct DirectionSample {
     Vec3d direction;
@@ -38,39 +50,36 @@ class Sky {
   /// A direction with a density near proportional to luminance, from two numbers in [0, 1).
   DirectionSample SampleDirection(const Vec2d& sample) const;
 
-  /// SampleDirection's density, by solid angle.
+  /// SampleDirection's density, by solid angle; above 0 for all directions.
   double Pdf(const Vec3d& direction) const;
 
   /// Irradiance on a horizontal surface that sees nothing but the sky above the horizon, by
   /// quadrature.
-  Rgb HorizontalIrradiance() const;
+  Rgb HorizontalIrradiance() const { return horizontal_irradiance_; }
 
   bool IsBlack() const { return is_black_; }
 
  private:
-  /// Perez et al. 1993: F = (1 + A e^(B / cos theta)) (1 + C e^(D gamma) + E cos^2 gamma).
-  struct Perez {
-    double a, b, c, d, e;
-    double At(double cos_zenith, double gamma_rad, double cos_gamma) const;
+  struct Images {
+    Images(DomeImage upper_image, DomeImage lower_image);
+
+    DomeImage upper;
+    /// By the direction mirrored at the horizon.
+    DomeImage lower;
+    DomeSampler upper_sampler;
+    DomeSampler lower_sampler;
+    /// Share of samples that go to the upper half.
+    double upper_share = 0.5;
   };
 
   Sky() = default;
-  Rgb RadianceAbove(const Vec3d& direction) const;
-  void Tabulate();
+  Sky(DomeImage upper, DomeImage lower);
 
-  bool is_constant_ = true;
   bool is_black_ = true;
-  /// Constant sky's radiance, or that of the clear sky's ground.
   Rgb constant_ = Rgb::Zero();
-  Vec3d direction_to_sun_ = Vec3d::UnitZ();
-  /// Of x, y and Y (CIE xyY), each with its value at the zenith over F there.
-  std::array<Perez, 3> perez_{};
-  std::array<double, 3> scale_{};
-  /// Relative density of each cell, kNumRows rows of equal height in z by kNumColumns in azimuth
-  /// (all cells have the same solid angle), and running sums for sampling.
-  std::vector<double> cell_density_;
-  std::vector<double> row_cdf_;
-  std::vector<double> column_cdf_;
+  Rgb horizontal_irradiance_ = Rgb::Zero();
+  /// Null for a constant sky.
+  std::shared_ptr<const Images> images_;
 };
 
 }  // namespace pfseq

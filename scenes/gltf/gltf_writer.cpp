@@ -151,6 +151,12 @@ class ModelBuilder {
             ObjectValue("ior", tinygltf::Value(static_cast<double>(source.ior)));
         UseExtension("KHR_materials_ior");
       }
+      if (source.ior == 1.0F) {
+        // With the index of refraction alone, others would still reflect at grazing angles.
+        material.extensions["KHR_materials_specular"] =
+            ObjectValue("specularFactor", tinygltf::Value(0.0));
+        UseExtension("KHR_materials_specular");
+      }
       if (source.alpha_cutoff) {
         material.alphaMode = "MASK";
         material.alphaCutoff = *source.alpha_cutoff;

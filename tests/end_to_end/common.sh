@@ -4,10 +4,12 @@ set -euo pipefail
 
 pfseq=$1
 source_folder=$2
-tiny=$source_folder/data/sequences/tiny.yaml
 work=$(mktemp -d)
 trap 'chmod -R u+w "$work" 2>/dev/null; rm -rf "$work"' EXIT
 cd "$work"
+# Stored light stays here as well.
+export XDG_CACHE_HOME=$work/cache
+tiny=$source_folder/data/sequences/tiny.yaml
 
 fail() {
   echo "FAILED: $*" >&2

@@ -10,6 +10,26 @@ source "$(dirname "$0")/common.sh"
 "$pfseq" render "$tiny" --out two --threads 2 --quiet >/dev/null
 expect_same_folders one two
 
+# Stored light changes no byte, wherever it comes from: computed anew each time, left by a run of other frames, or from
+# a file that was cut off.
+render_with_light() {
+  "$pfseq" render "$tiny" --out "$1" --light-cache "$2" --frames "$3" --cameras front --quiet \
+    >/dev/null 2>stderr.txt || fail "$(cat stderr.txt)"
+}
+render_with_light no_cache none 1,3
+render_with_light other_frames kept 0,2
+render_with_light kept_light kept 1,3
+expect_same_folders no_cache kept_light
+light=(kept/*.light)
+[ ${#light[@]} -eq 1 ] || fail "expected one file of stored light, got: ${light[*]}"
+truncate -s -5000 "${light[0]}"
+render_with_light cut_light kept 1,3
+grep -q "is damaged" stderr.txt || fail "a damaged file of stored light is not told of: $(cat stderr.txt)"
+expect_same_folders no_cache cut_light
+render_with_light made_good kept 1,3
+[ ! -s stderr.txt ] || fail "the damaged file was not made anew: $(cat stderr.txt)"
+expect_same_folders no_cache made_good
+
 for frame in 3 1 0 2; do
   "$pfseq" render "$tiny" --out order --frames $frame --resume --quiet >/dev/null
 done

@@ -19,7 +19,9 @@ class ConstantSkyTest : public testing::Test {
  protected:
   ConstantSkyTest()
       : rays_(SceneOfMesh(Quad({-1, -1, -50}, {1, -1, -50}, {1, 1, -50}, {-1, 1, -50}))),
-        tracer_(rays_, ConstantSky(), PathTracerOptions{}),
+        textures_(rays_.PlainScene()),
+        lighting_(ConstantSky()),
+        tracer_(rays_, textures_, lighting_, PathTracerOptions{}),
         lens_(Equidistant{},
               Vec2d::Constant(FocalPx()),
               Vec2d::Constant(0.5 * kSizePx),
@@ -40,6 +42,8 @@ class ConstantSkyTest : public testing::Test {
   }
 
   RayScene rays_;
+  TextureSet textures_;
+  Lighting lighting_;
   PathTracer tracer_;
   Lens lens_;
 };
@@ -68,7 +72,9 @@ class NoisyWallsTest : public ConstantSkyTest {
  protected:
   NoisyWallsTest()
       : walls_(BoxScene(Vec3f(-20, -5, -1), Vec3f(20, 5, 30))),
-        wall_tracer_(walls_, DefaultLight(), PathTracerOptions{}) {}
+        wall_textures_(walls_.PlainScene()),
+        wall_lighting_(DefaultLight()),
+        wall_tracer_(walls_, wall_textures_, wall_lighting_, PathTracerOptions{}) {}
 
   static Lighting DefaultLight() {
     LightSpec light;
@@ -83,6 +89,8 @@ class NoisyWallsTest : public ConstantSkyTest {
   }
 
   RayScene walls_;
+  TextureSet wall_textures_;
+  Lighting wall_lighting_;
   PathTracer wall_tracer_;
 };
 

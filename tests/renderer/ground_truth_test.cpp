@@ -57,8 +57,8 @@ void ExpectClosedForm(std::shared_ptr<const Scene> scene,
                       const std::function<double(const Vec3d&, const Vec3d&)>& expected_m) {
   const RayScene rays(std::move(scene));
   for (const Viewer& viewer : Viewers()) {
-    const GroundTruth truth =
-        RenderGroundTruth(rays, viewer.lens, viewer.world_from_camera, kSizePx, kSizePx, 500.0, 2);
+    const LensRaster raster(viewer.lens, kSizePx, kSizePx, 2);
+    const GroundTruth truth = RenderGroundTruth(rays, raster, viewer.world_from_camera, 500.0, 2);
     int num_inside = 0;
     double worst = 0.0;
     for (int y = 0; y < kSizePx; ++y) {
@@ -137,10 +137,9 @@ TEST(GroundTruth, SphereMatchesTheClosedForm) {
 TEST(GroundTruth, DoesNotDependOnThreads) {
   const RayScene rays(BoxScene(Vec3f(-7, -9, -1), Vec3f(12, 6, 31)));
   const Viewer viewer = Viewers().back();
-  const GroundTruth one =
-      RenderGroundTruth(rays, viewer.lens, viewer.world_from_camera, 99, 99, 500.0, 1);
-  const GroundTruth three =
-      RenderGroundTruth(rays, viewer.lens, viewer.world_from_camera, 99, 99, 500.0, 3);
+  const LensRaster raster(viewer.lens, 99, 99, 1);
+  const GroundTruth one = RenderGroundTruth(rays, raster, viewer.world_from_camera, 500.0, 1);
+  const GroundTruth three = RenderGroundTruth(rays, raster, viewer.world_from_camera, 500.0, 3);
   EXPECT_EQ(one.distance_m, three.distance_m);
   EXPECT_EQ(one.sky, three.sky);
 }

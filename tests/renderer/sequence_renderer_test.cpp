@@ -29,7 +29,10 @@ SequenceInput Room() {
   spec.cameras = {{"front", {}}, {"rear", CameraSpec{.position_m = {-2.0, 0.0, 0.0}}}};
   spec.trajectory.num_frames = 3;
   spec.light.sun = SunSpec{};
+  spec.sensor.exposure = 0.06;
   spec.render.samples = 2;
+  spec.render.max_samples = 4;
+  spec.render.light_quality = 0.2;
   input.scene = BoxScene(Vec3f(-10, -6, -0.1F), Vec3f(50, 6, 20));
   input.files = {{"sequence.yaml", "room"}, {"scene.glb", "glb"}};
   return input;

@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -106,6 +108,68 @@ TEST(ImageIo, MissingAndForeignFilesAreNamed) {
   WriteFileAtomically(folder / "image.png", EncodePng(Pattern8(3)));
   EXPECT_THAT(MessageOf<InputError>([&] { ReadExr(folder / "image.png"); }),
               HasSubstr("expected an OpenEXR file"));
+}
+
+/// A Radiance HDR file without run lengths, as Ward 1991, "Real Pixels" (Graphics Gems II), has it:
+/// each pixel three mantissas and an exponent, 256 times too great and biased by 128.
+std::string HdrText() {
+  std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
+  for (int i = 0; i < 8; ++i) {
+    text += {static_cast<char>(128 + i), '\x40', '\x10', static_cast<char>(128 + 3)};
+  }
+  return text;
+}
+
+TEST(ReadHdrRgb, ReadsRadianceHdrFiles) {
+  const TempFolder folder;
+  WriteFileAtomically(folder / "map.hdr", HdrText());
+  const Image<float> image = ReadHdrRgb(folder / "map.hdr");
+  ASSERT_EQ(image.WidthPx(), 4);
+  ASSERT_EQ(image.HeightPx(), 2);
+  ASSERT_EQ(image.NumChannels(), 3);
+  // (mantissa + 0.5) / 256 * 2^3, or without the half, as some decoders have it.
+  EXPECT_NEAR(image.At(1, 1, 0), 133.0F / 32.0F, 0.02F);
+  EXPECT_NEAR(image.At(1, 1, 1), 2.0F, 0.02F);
+  EXPECT_NEAR(image.At(1, 1, 2), 0.5F, 0.02F);
+}
+
+TEST(ReadHdrRgb, TakesTheFirstThreeChannelsOrOneForAll) {
+  const TempFolder folder;
+  Image<float> rgba(4, 2, 4);
+  for (size_t i = 0; i < rgba.Values().size(); ++i) {
+    rgba.Values()[i] = static_cast<float>(i);
+  }
+  WriteFileAtomically(folder / "map.exr", EncodeExrFloat(rgba));
+  EXPECT_EQ(ReadHdrRgb(folder / "map.exr").At(1, 0, 2), 6.0F);
+  WriteFileAtomically(folder / "map.exr", EncodeExrFloat(Image<float>(4, 2, 1, 7.0F)));
+  EXPECT_EQ(ReadHdrRgb(folder / "map.exr"), Image<float>(4, 2, 3, 7.0F));
+}
+
+TEST(ReadHdrRgb, NamesMissingForeignAndTruncatedFiles) {
+  const TempFolder folder;
+  const auto error = [&](const char* name) {
+    return MessageOf<InputError>([&] { ReadHdrRgb(folder / name); });
+  };
+  EXPECT_THAT(error("none.exr"), AllOf(HasSubstr("none.exr"), HasSubstr("no such file")));
+  WriteFileAtomically(folder / "map.png", EncodePng(Pattern8(3)));
+  EXPECT_THAT(error("map.png"), HasSubstr("expected an OpenEXR or Radiance HDR file, got png"));
+  const Bytes exr = EncodeExrFloat(PatternFloat());
+  for (const double share : {0.0, 0.1, 0.5, 0.9}) {
+    const auto cut = [&](std::string_view bytes) {
+      return bytes.substr(0, static_cast<size_t>(share * static_cast<double>(bytes.size())));
+    };
+    const std::string hdr = HdrText();
+    WriteFileAtomically(folder / "cut.exr", cut(Text(exr)));
+    WriteFileAtomically(folder / "cut.hdr", cut(hdr));
+    EXPECT_THAT(error("cut.exr"), HasSubstr("cut.exr")) << share;
+    EXPECT_THAT(error("cut.hdr"), HasSubstr("cut.hdr")) << share;
+  }
+}
+
+TEST(IsExr, TellsByTheFirstBytes) {
+  EXPECT_TRUE(IsExr(Text(EncodeExrFloat(PatternFloat()))));
+  EXPECT_FALSE(IsExr(HdrText()));
+  EXPECT_FALSE(IsExr(""));
 }
 
 TEST(DecodeImage8Rgba, FillsMissingChannels) {

@@ -60,6 +60,8 @@ TEST(SequenceFiles, FindsDescriptionAndFramesButNotTheRest) {
                            "rig.yaml",
                            "poses.csv",
                            "trajectory_front.txt",
+                           "sky_map.exr",
+                           "sky_map.hdr",
                            "l/c/clean/000001.png",
                            "notes.txt",
                            "l/c/clean/000001.png.12.partial",
@@ -71,6 +73,8 @@ TEST(SequenceFiles, FindsDescriptionAndFramesButNotTheRest) {
                                                        "rig.yaml",
                                                        "scene.glb",
                                                        "sequence.yaml",
+                                                       "sky_map.exr",
+                                                       "sky_map.hdr",
                                                        "trajectory_front.txt"};
   EXPECT_EQ(SequenceFiles(folder.Path()), expected);
 }

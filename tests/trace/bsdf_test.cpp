@@ -163,6 +163,109 @@ TEST_P(BsdfOf, GivesNothingFromBelow) {
   EXPECT_EQ(bsdf.Evaluate(FromAngles(1.6, 1.0)).pdf, 0.0);
 }
 
+TEST_P(BsdfOf, DiffuseAndSpecularPartsAddUp) {
+  RandomStream random({7});
+  for (int i = 0; i < 300; ++i) {
+    const Bsdf bsdf(GetParam().parameters,
+                    FromAngles(random.Uniform(0.0, 1.5), random.Uniform(0.0, 6.0)));
+    // Now and then from below.
+    const Vec3d light = FromAngles(random.Uniform(0.0, 1.7), random.Uniform(0.0, 6.0));
+    const Rgb diffuse = bsdf.EvaluateDiffuse(light);
+    const BsdfValue specular = bsdf.EvaluateSpecular(light);
+    const Rgb whole = bsdf.Evaluate(light).value_cosine;
+    EXPECT_LE((diffuse + specular.value_cosine - whole).abs().maxCoeff(), 1e-5F * whole.maxCoeff());
+    EXPECT_GE(diffuse.minCoeff(), 0.0F);
+    EXPECT_GE(specular.value_cosine.minCoeff(), 0.0F);
+    if (light.z() <= 0.0) {
+      EXPECT_EQ(diffuse.maxCoeff(), 0.0F);
+      EXPECT_EQ(specular.pdf, 0.0);
+    }
+  }
+}
+
+/// Integrals over the hemisphere of the two parts times a function that tells directions apart.
+struct PartIntegrals {
+  Eigen::Array3d diffuse = Eigen::Array3d::Zero();
+  Eigen::Array3d specular = Eigen::Array3d::Zero();
+  /// Of the specular part times 1 + x / 2.
+  Eigen::Array3d slanted_specular = Eigen::Array3d::Zero();
+  double specular_pdf = 0.0;
+};
+
+PartIntegrals IntegrateParts(const Bsdf& bsdf) {
+  constexpr int kNumRows = 400;
+  constexpr int kNumColumns = 400;
+  PartIntegrals sums;
+  const double solid_angle = 2.0 * kPi / (kNumRows * kNumColumns);
+  for (int i = 0; i < kNumRows; ++i) {
+    for (int j = 0; j < kNumColumns; ++j) {
+      const double azimuth_rad = 2.0 * kPi * (j + 0.5) / kNumColumns;
+      const Vec3d light = FromAngles(std::acos((i + 0.5) / kNumRows), azimuth_rad);
+      const BsdfValue specular = bsdf.EvaluateSpecular(light);
+      const Eigen::Array3d value = specular.value_cosine.cast<double>() * solid_angle;
+      sums.diffuse += bsdf.EvaluateDiffuse(light).cast<double>() * solid_angle;
+      sums.specular += value;
+      sums.slanted_specular += value * (1.0 + 0.5 * light.x());
+      sums.specular_pdf += specular.pdf * solid_angle;
+    }
+  }
+  return sums;
+}
+
+TEST_P(BsdfOf, ReflectancesAreTheIntegralsOfTheParts) {
+  for (const double polar_rad : {0.1, 0.7, 1.2, 1.45}) {
+    const Bsdf bsdf(GetParam().parameters, FromAngles(polar_rad, 0.2));
+    const PartIntegrals integrals = IntegrateParts(bsdf);
+    // The albedo table is interpolated.
+    const double tolerance = 0.01;
+    EXPECT_LT((bsdf.DiffuseReflectance().cast<double>() - integrals.diffuse).abs().maxCoeff(),
+              tolerance)
+        << polar_rad;
+    EXPECT_LT((bsdf.SpecularReflectance().cast<double>() - integrals.specular).abs().maxCoeff(),
+              tolerance)
+        << polar_rad << ": " << bsdf.SpecularReflectance().transpose() << " and "
+        << integrals.specular.transpose();
+  }
+}
+
+TEST_P(BsdfOf, SpecularSamplesGiveTheSpecularIntegral) {
+  constexpr int kNumSide = 300;
+  for (const double polar_rad : {0.3, 1.2}) {
+    const Bsdf bsdf(GetParam().parameters, FromAngles(polar_rad, 0.0));
+    const PartIntegrals integrals = IntegrateParts(bsdf);
+    Eigen::Array3d sum = Eigen::Array3d::Zero();
+    Eigen::Array3d slanted_sum = Eigen::Array3d::Zero();
+    int num_samples = 0;
+    for (int i = 0; i < kNumSide; ++i) {
+      for (int j = 0; j < kNumSide; ++j) {
+        const std::optional<BsdfSample> sample =
+            bsdf.SampleSpecular(Vec2d(i + 0.5, j + 0.5) / kNumSide);
+        if (!sample.has_value()) {
+          continue;
+        }
+        ++num_samples;
+        sum += sample->weight.cast<double>();
+        slanted_sum += sample->weight.cast<double>() * (1.0 + 0.5 * sample->to_light.x());
+        const BsdfValue value = bsdf.EvaluateSpecular(sample->to_light);
+        ASSERT_NEAR(sample->pdf, value.pdf, 1e-9 * value.pdf);
+      }
+    }
+    constexpr double kNumSamples = double{kNumSide} * kNumSide;
+    EXPECT_LT((sum / kNumSamples - integrals.specular).abs().maxCoeff(), 0.003) << polar_rad;
+    EXPECT_LT((slanted_sum / kNumSamples - integrals.slanted_specular).abs().maxCoeff(), 0.003)
+        << polar_rad;
+    // What the density lacks to 1 are the directions below the surface.
+    EXPECT_NEAR(num_samples / kNumSamples, integrals.specular_pdf, 0.003) << polar_rad;
+  }
+}
+
+TEST(Bsdf, LambertianHasNoSpecularPart) {
+  const Bsdf bsdf({Rgb::Ones(), 0.0F, 0.3F, 1.0F}, FromAngles(1.0, 0.0));
+  EXPECT_FALSE(bsdf.SampleSpecular({0.3, 0.4}).has_value());
+  EXPECT_EQ(bsdf.SpecularReflectance().maxCoeff(), 0.0F);
+  EXPECT_NEAR(bsdf.DiffuseReflectance().minCoeff(), 1.0F, 1e-6F);
+}
+
 TEST(Bsdf, WhiteDielectricReturnsJustWhatItGets) {
   for (const float roughness : {0.1F, 0.3F, 0.6F, 1.0F}) {
     for (const double polar_rad : {0.0, 0.8, 1.2, 1.45}) {

@@ -2,10 +2,16 @@
 #include "renderer/trace/lighting.h"
 
 #include "renderer/core/error.h"
+#include "renderer/core/file.h"
 #include "renderer/core/units.h"
+#include "renderer/sequence/image_io.h"
+#include "renderer/sequence/sequence_schema.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
+#include "tests/trace/directions.h"
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -131,6 +137,83 @@ TEST(MakeLighting, ConstantSkyHasTheGivenRadianceTimesItsStrength) {
   EXPECT_TRUE(MakeLighting(spec, std::nullopt)
                   .sky.Radiance(Vec3d::UnitY())
                   .isApprox(Rgb(0.5F, 1.0F, 1.5F), 1e-6F));
+}
+
+TEST(MakeLighting, CloudsCoverTheClearSkyAndDimTheSunBehindThem) {
+  LightSpec spec;
+  spec.sun = SunSpec{};
+  const Lighting clear = MakeLighting(spec, std::nullopt);
+  spec.sky.clouds.share = 1.0;
+  const Lighting overcast = MakeLighting(spec, std::nullopt);
+  const float clear_klx = Luminance(clear.sun->Irradiance());
+  EXPECT_TRUE(!overcast.sun.has_value() ||
+              Luminance(overcast.sun->Irradiance()) < 0.05F * clear_klx);
+  // Grey, where the clear sky is blue.
+  const Rgb before = clear.sky.Radiance(Vec3d::UnitZ());
+  const Rgb after = overcast.sky.Radiance(Vec3d::UnitZ());
+  EXPECT_GT(before[2] / before[0], 1.5F);
+  EXPECT_LT(after[2] / after[0], 1.15F);
+  // Other models have no clouds.
+  spec.sky.model = "constant";
+  EXPECT_FLOAT_EQ(Luminance(MakeLighting(spec, std::nullopt).sun->Irradiance()), clear_klx);
+}
+
+TEST(MakeLighting, AFreeSunKeepsItsLightUnderClouds) {
+  // The sky of the shipped sequence.
+  LightSpec spec =
+      ReadSequenceSpec(std::filesystem::path(PFSEQ_SOURCE_DIR) / "data/sequences/pfseq.yaml").light;
+  EXPECT_GT(spec.sky.clouds.share, 0.2);
+  const Lighting lighting = MakeLighting(spec, std::nullopt);
+  spec.sky.clouds.share = 0.0;
+  const Lighting clear = MakeLighting(spec, std::nullopt);
+  ASSERT_TRUE(lighting.sun.has_value());
+  EXPECT_TRUE(lighting.sun->Irradiance().isApprox(clear.sun->Irradiance(), 0.01F));
+}
+
+TEST(MakeLighting, TheSkysStrengthIsThatOfItsCloudsToo) {
+  LightSpec spec;
+  spec.sky.clouds.share = 0.7;
+  const Rgb one = MakeLighting(spec, std::nullopt).sky.HorizontalIrradiance();
+  spec.sky.strength = 0.25;
+  EXPECT_TRUE(
+      MakeLighting(spec, std::nullopt).sky.HorizontalIrradiance().isApprox(0.25F * one, 1e-3F));
+  spec.sky.strength = 0.0;
+  EXPECT_TRUE(MakeLighting(spec, std::nullopt).sky.IsBlack());
+}
+
+TEST(MakeLighting, AMapBringsItsOwnSunAndItsStrengthIsThatOfBoth) {
+  const TempFolder folder;
+  Image<float> map(512, 256, 3, 2.0F);
+  // A sun of 3 x 3 pixels at the column 192: azimuth 180 - 360 * 192.5 / 512 = 44.65 degrees; row
+  // 85: elevation 90 - 180 * 85.5 / 256 = 29.88 degrees.
+  for (int i = 0; i < 9; ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      map.At(191 + i % 3, 84 + i / 3, channel) = 1e5F;
+    }
+  }
+  WriteFileAtomically(folder / "map.exr", EncodeExrFloat(map));
+  LightSpec spec;
+  spec.sky.model = "map";
+  spec.sky.map = (folder / "map.exr").string();
+  spec.sky.strength = 0.5;
+  Sun scene_sun;
+  scene_sun.direction_to_sun = Vec3f::UnitZ();
+  const Lighting lighting = MakeLighting(spec, scene_sun);
+  ASSERT_TRUE(lighting.sun.has_value());
+  EXPECT_LT((lighting.sun->DirectionToSun() - DirectionAt(29.88, 44.65)).norm(), 1e-3);
+  // 9 pixels of (360 / 512 degrees)^2 cos(29.88 degrees).
+  const double expected_klx = 0.5 * (1e5 - 2.0) * 9.0 * std::pow(RadFromDeg(360.0 / 512.0), 2.0) *
+                              std::cos(RadFromDeg(29.88));
+  EXPECT_NEAR(Luminance(lighting.sun->Irradiance()), expected_klx, 2e-3 * expected_klx);
+  EXPECT_NEAR(lighting.sky.Radiance(DirectionAt(29.88, 44.65))[0], 1.0F, 1e-3F);
+  EXPECT_NEAR(lighting.sky.Radiance(DirectionAt(-40.0, 200.0))[2], 1.0F, 1e-5F);
+  // Turned with the map; and none, without a sun in the map.
+  spec.sky.map_rotation_deg = 90.0;
+  EXPECT_LT(
+      (MakeLighting(spec, std::nullopt).sun->DirectionToSun() - DirectionAt(29.88, 134.65)).norm(),
+      1e-3);
+  WriteFileAtomically(folder / "map.exr", EncodeExrFloat(Image<float>(64, 32, 3, 2.0F)));
+  EXPECT_FALSE(MakeLighting(spec, scene_sun).sun.has_value());
 }
 
 TEST(MakeLighting, RefusesWhatTheSkyCannotDo) {

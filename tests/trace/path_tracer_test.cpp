@@ -47,7 +47,9 @@ class Tracer {
          int max_bounces,
          float min_indirect_roughness = 0.0F)
       : ray_scene_(std::make_shared<const Scene>(std::move(scene))),
-        tracer_(ray_scene_, lighting, {max_bounces, min_indirect_roughness}) {}
+        textures_(ray_scene_.PlainScene()),
+        lighting_(lighting),
+        tracer_(ray_scene_, textures_, lighting_, {max_bounces, min_indirect_roughness}) {}
 
   Rgb Mean(const Vec3d& origin_m,
            const Vec3d& direction,
@@ -63,6 +65,8 @@ class Tracer {
 
  private:
   RayScene ray_scene_;
+  TextureSet textures_;
+  Lighting lighting_;
   PathTracer tracer_;
 };
 
@@ -357,7 +361,7 @@ TEST(SlowPathTracer, AgreesWithBruteForceInEachPixel) {
   const Vec3d to_sun = Vec3d(0.3, 0.35, 0.8).normalized();
   const Lighting lighting = {SunDisc(to_sun, Rgb(20.0F, 18.0F, 15.0F), RadFromDeg(40.0)),
                              Sky::Clear(to_sun, 3.0, 1.0)};
-  const PathTracer tracer(ray_scene, lighting, {kMaxBounces, 0.0F});
+  const PathTracer tracer(ray_scene, textures, lighting, {kMaxBounces, 0.0F});
   const Vec3d origin_m(-15.0, 0.3, 1.6);
   double worst_z = 0.0;
   double sum_z = 0.0;

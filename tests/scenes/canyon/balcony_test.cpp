@@ -37,7 +37,7 @@ TEST(Balcony, OfPlateIsOpaqueFromTheStreet) {
   BuildPlateBalcony(bench.Context(), Building(), SurfaceFrame(), 0.0, 3.0, 5.0);
   const RayScene rays(std::make_shared<const Scene>(bench.TakeScene()));
   for (double u_m = 0.05; u_m < 3.0; u_m += 0.1) {
-    const auto hit = rays.Intersect({u_m, -5.0, 5.5}, Vec3d::UnitY());
+    const auto hit = rays.Intersect(Vec3d(u_m, -5.0, 5.5), Vec3d::UnitY());
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->distance_m, 5.0 - 1.1, 0.02);
   }

@@ -312,7 +312,7 @@ inline SurfaceFaults FindHoles(const Scene& scene, double width_m, double low_m,
     if (target_m.z() + kFar_m * back.z() < low_m) {
       back.z() = -back.z();  // not from under the ground
     }
-    const auto hit = rays.Intersect(target_m + kFar_m * back, -back);
+    const auto hit = rays.Intersect(Vec3d(target_m + kFar_m * back), -back);
     ++faults.num_checked;
     if (!hit || hit->geometric_normal.dot(back) < 0.0) {
       faults.texts.push_back(fmt::format(

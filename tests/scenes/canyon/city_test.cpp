@@ -40,7 +40,7 @@ void ExpectSoundCity(const CanyonSpec& canyon, const DriveSpec& drive, int num_r
       const double angle_rad = 2.0 * std::numbers::pi * i / 16.0;
       const Vec3d direction(std::cos(angle_rad), std::sin(angle_rad), 0.0);
       for (const double height_m : {0.05, 1.0, 2.0}) {
-        EXPECT_FALSE(rays.Occluded({point_m.x(), point_m.y(), height_m}, direction, 1.0))
+        EXPECT_FALSE(rays.Occluded(Vec3d(point_m.x(), point_m.y(), height_m), direction, 1.0))
             << point_m.transpose() << " at " << height_m;
       }
     }

@@ -32,8 +32,8 @@ TEST(CurtainWall, IsClosedThoughItsPanesAreOutOfTrue) {
 TEST(CurtainWall, PanesLieBehindMullionsWithinMillimetres) {
   PartBench bench;
   const RayScene rays(std::make_shared<const Scene>(Wall(Lod::kFine, bench)));
-  const auto pane = rays.Intersect({0.75, -5.0, 6.0}, Vec3d::UnitY());
-  const auto mullion = rays.Intersect({1.5, -5.0, 6.0}, Vec3d::UnitY());
+  const auto pane = rays.Intersect(Vec3d(0.75, -5.0, 6.0), Vec3d::UnitY());
+  const auto mullion = rays.Intersect(Vec3d(1.5, -5.0, 6.0), Vec3d::UnitY());
   ASSERT_TRUE(pane && mullion);
   EXPECT_GE(pane->distance_m, 5.0);
   EXPECT_LE(pane->distance_m, 5.0065);

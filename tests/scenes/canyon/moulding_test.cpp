@@ -31,7 +31,7 @@ TEST(Mouldings, EaveContinuesTheRoofsPlane) {
   house.roof_rise_m = 5.5;  // 45 degrees over half of 11 m
   BuildMouldings(bench.Context(0.0), house, kStreetAndBack);
   const RayScene rays(std::make_shared<const Scene>(bench.TakeScene()));
-  const auto hit = rays.Intersect({7.0, -0.2, 100.0}, -Vec3d::UnitZ());
+  const auto hit = rays.Intersect(Vec3d(7.0, -0.2, 100.0), -Vec3d::UnitZ());
   ASSERT_TRUE(hit);
   EXPECT_NEAR(100.0 - hit->distance_m, house.eave_m - 0.2, 1e-4);
 }
@@ -45,7 +45,7 @@ TEST(Mouldings, RunAroundACornerInOnePiece) {
   BuildMouldings(bench.Context(), house, {Lod::kFine, Lod::kFine, Lod::kFlush, Lod::kFlush});
   const RayScene rays(std::make_shared<const Scene>(bench.TakeScene()));
   // Above the corner, outside both walls: only a mitre reaches there.
-  EXPECT_TRUE(rays.Intersect({14.3, -0.3, 100.0}, -Vec3d::UnitZ()));
+  EXPECT_TRUE(rays.Intersect(Vec3d(14.3, -0.3, 100.0), -Vec3d::UnitZ()));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST_P(Roof, ClosesTheHouseFromAbove) {
       const Vec3d target_m(random.Uniform(0.01, 13.99), random.Uniform(0.01, 10.99), house.eave_m);
       const Vec3d back =
           Vec3d(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0), 1.0).normalized();
-      const auto hit = rays.Intersect(target_m + 30.0 * back, -back);
+      const auto hit = rays.Intersect(Vec3d(target_m + 30.0 * back), -back);
       ASSERT_TRUE(hit) << target_m.transpose();
       ASSERT_GT(hit->geometric_normal.dot(back), 0.0) << target_m.transpose();
     }
@@ -50,8 +50,8 @@ TEST(RoofHeight, FlatLiesUnderItsParapet) {
   house.roof_rise_m = 0.5;
   BuildRoof(bench.Context(0.0), house, std::vector<Lod>(4, Lod::kCoarse));
   const RayScene rays(std::make_shared<const Scene>(bench.TakeScene()));
-  const auto middle = rays.Intersect({7, 5, 100}, -Vec3d::UnitZ());
-  const auto parapet = rays.Intersect({7, 0.1, 100}, -Vec3d::UnitZ());
+  const auto middle = rays.Intersect(Vec3d(7, 5, 100), -Vec3d::UnitZ());
+  const auto parapet = rays.Intersect(Vec3d(7, 0.1, 100), -Vec3d::UnitZ());
   ASSERT_TRUE(middle && parapet);
   EXPECT_NEAR(100.0 - middle->distance_m, house.eave_m - 0.5, 1e-4);
   EXPECT_NEAR(100.0 - parapet->distance_m, house.eave_m, 1e-4);
@@ -64,8 +64,8 @@ TEST(RoofHeight, GableHasItsRidgeInTheMiddle) {
   house.roof_rise_m = 4.0;
   BuildRoof(bench.Context(0.0), house, std::vector<Lod>(4, Lod::kCoarse));
   const RayScene rays(std::make_shared<const Scene>(bench.TakeScene()));
-  const auto ridge = rays.Intersect({7, 5.5, 100}, -Vec3d::UnitZ());
-  const auto half = rays.Intersect({7, 2.75, 100}, -Vec3d::UnitZ());
+  const auto ridge = rays.Intersect(Vec3d(7, 5.5, 100), -Vec3d::UnitZ());
+  const auto half = rays.Intersect(Vec3d(7, 2.75, 100), -Vec3d::UnitZ());
   ASSERT_TRUE(ridge && half);
   EXPECT_NEAR(100.0 - ridge->distance_m, house.eave_m + 4.0, 1e-4);
   EXPECT_NEAR(100.0 - half->distance_m, house.eave_m + 2.0, 1e-4);

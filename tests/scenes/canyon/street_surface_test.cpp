@@ -21,7 +21,7 @@ TEST(StreetSurface, CarriagewayLiesAtZeroUnderTheWholeDrive) {
   for (const Vec2d& point_m : plan.drive_path_m) {
     for (const double side_m : {-1.0, 0.0, 1.0}) {
       const auto hit =
-          rays.Intersect({point_m.x() + side_m, point_m.y() + side_m, 10.0}, -Vec3d::UnitZ());
+          rays.Intersect(Vec3d(point_m.x() + side_m, point_m.y() + side_m, 10.0), -Vec3d::UnitZ());
       ASSERT_TRUE(hit);
       // Asphalt, or paint 4 mm above it.
       EXPECT_NEAR(hit->distance_m, 9.998, 0.003);
@@ -35,13 +35,13 @@ TEST(StreetSurface, KerbIsAStepOfTwelveCentimetres) {
   block.island = {{0, 0}, {40, 30}};
   BuildPavement(bench.Context(), block);
   const RayScene rays(std::make_shared<const Scene>(bench.TakeScene()));
-  const auto top = rays.Intersect({20, 0.1, 10.0}, -Vec3d::UnitZ());
-  const auto face = rays.Intersect({20, -5.0, 0.06}, Vec3d::UnitY());
+  const auto top = rays.Intersect(Vec3d(20, 0.1, 10.0), -Vec3d::UnitZ());
+  const auto face = rays.Intersect(Vec3d(20, -5.0, 0.06), Vec3d::UnitY());
   ASSERT_TRUE(top && face);
   EXPECT_NEAR(10.0 - top->distance_m, 0.12, 1e-6);
   EXPECT_NEAR(face->distance_m, 5.0, 1e-6);
   // Corners are round: the very corner is carriageway.
-  EXPECT_FALSE(rays.Intersect({0.3, 0.3, 10.0}, -Vec3d::UnitZ()));
+  EXPECT_FALSE(rays.Intersect(Vec3d(0.3, 0.3, 10.0), -Vec3d::UnitZ()));
 }
 
 TEST(StreetSurface, LampsStandOnThePavementAndReachOverTheStreet) {

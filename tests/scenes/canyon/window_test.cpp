@@ -39,8 +39,8 @@ TEST(Window, LiesInItsReveal) {
   design.reveal_m = 0.3;
   const RayScene rays(std::make_shared<const Scene>(WallWithWindow(Lod::kFine, design, 0.0)));
   // Rim of the frame at the reveal's depth, a pane behind it.
-  const auto frame = rays.Intersect({1.02, -5.0, 1.02}, Vec3d::UnitY());
-  const auto pane = rays.Intersect({1.3, -5.0, 1.5}, Vec3d::UnitY());
+  const auto frame = rays.Intersect(Vec3d(1.02, -5.0, 1.02), Vec3d::UnitY());
+  const auto pane = rays.Intersect(Vec3d(1.3, -5.0, 1.5), Vec3d::UnitY());
   ASSERT_TRUE(frame && pane);
   EXPECT_NEAR(frame->distance_m, 5.3, 1e-6);
   EXPECT_NEAR(pane->distance_m, 5.335, 1e-6);

@@ -211,11 +211,27 @@ TEST(GltfWriter, WritesTheBoundsOfPositionsInTheAxesOfGltf) {
   EXPECT_EQ(accessor["max"], nlohmann::json({4.0, 9.0, 5.0}));
 }
 
+TEST(GltfWriter, TellsOthersThatAnIorOfOneMeansNoGloss) {
+  Scene scene = RichScene();
+  scene.materials.resize(2);
+  scene.materials[0].ior = 1.0F;
+  scene.materials[1].ior = 1.3F;
+  for (Mesh& mesh : scene.meshes) {
+    mesh.material_idx = 0;
+  }
+  const nlohmann::json root = JsonOf(GlbBytes(scene));
+  const nlohmann::json& matt = root["materials"][0]["extensions"];
+  EXPECT_EQ(matt["KHR_materials_specular"]["specularFactor"], 0.0);
+  EXPECT_FALSE(root["materials"][1]["extensions"].contains("KHR_materials_specular"));
+}
+
 TEST(GltfWriter, NamesTheExtensionsThatItUses) {
   const nlohmann::json root = JsonOf(GlbBytes(RichScene()));
   EXPECT_THAT(root["extensionsUsed"].get<std::vector<std::string>>(),
-              testing::UnorderedElementsAre(
-                  "KHR_materials_ior", "KHR_materials_emissive_strength", "KHR_lights_punctual"));
+              testing::UnorderedElementsAre("KHR_materials_ior",
+                                            "KHR_materials_specular",
+                                            "KHR_materials_emissive_strength",
+                                            "KHR_lights_punctual"));
   EXPECT_FALSE(root.contains("extensionsRequired"));
   for (const nlohmann::json& material : root["materials"]) {
     for (const nlohmann::json& channel :

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "renderer/core/random.h"
+#include "renderer/core/vector.h"
+#include "renderer/trace/coarse_light.h"
+#include "renderer/trace/lighting.h"
+#include "renderer/trace/ray_scene.h"
+#include "renderer/trace/surface_table.h"
+
+namespace pfseq {
+
+/// Light that arrives at a point from one side, as the integral of radiance times direction over
+/// the hemisphere, for each colour channel: x, y, z of the world, each red, green, blue and unused.
+/// Its component along the hemisphere's axis is the irradiance there; along a normal tilted a
+/// little against the axis it is that of the tilted surface but for what lies below its horizon.
+struct VectorIrradiance {
+  Eigen::Array4f x = Eigen::Array4f::Zero();
+  Eigen::Array4f y = Eigen::Array4f::Zero();
+  Eigen::Array4f z = Eigen::Array4f::Zero();
+
+  /// Component along a direction.
+  Rgb Along(const Vec3f& direction) const {
+    return (x * direction.x() + y * direction.y() + z * direction.z()).head<3>();
+  }
+};
+
+struct GatheredLight {
+  VectorIrradiance light;
+  /// Most of what the point sees it sees from behind: it lies within a body.
+  bool is_buried = false;
+};
+
+struct GatherOptions {
+  /// Rays per record; rounded up to a square of a multiple of 4.
+  int num_rays = 256;
+  /// Scattering events along a light path at most, the surface the camera sees included.
+  int max_bounces = 6;
+  /// As PathTracerOptions.
+  float min_indirect_roughness = 0.0F;
+  /// Surfaces nearer than this to the point, or to the one before on a path, are followed by real
+  /// paths: the coarse light does not resolve them.
+  float near_m = 1.5F;
+  /// Size of the coarse light's patches.
+  float patch_m = 2.0F;
+};
+
+/// Works out the light that a point on a surface gets from sky and surroundings, all but the sun's
+/// own disc: one step of final gathering (Jensen 1996, "Global Illumination using Photon Maps")
+/// over a coarse radiosity. Immutable but for the coarse light that it fills on demand.
+class LightGatherer {
+ public:
+  LightGatherer(const RayScene& rays,
+                const SurfaceTable& surfaces,
+                const Lighting& lighting,
+                const GatherOptions& options);
+
+  /// `normal` is the unit normal of the surface on the side asked for, `key` chooses the random
+  /// numbers.
+  GatheredLight Gather(const Vec3f& origin_m, const Vec3f& normal, uint64_t key) const;
+
+  int64_t MemoryBytes() const { return coarse_.MemoryBytes(); }
+
+ private:
+  Rgb FarReflection(const ShadingPoint& point, const Vec3f& direction, bool is_sunlit) const;
+  Rgb SmoothReflection(const ShadingPoint& point,
+                       const Vec3f& direction,
+                       bool is_sunlit,
+                       RandomStream& random) const;
+  ShadingPoint ShadeWide(const PacketHit& hit, const Vec3f& origin_m, const Vec3f& direction) const;
+  Rgb PathLight(ShadingPoint point,
+                Vec3f direction,
+                int bounce,
+                bool ends_in_coarse_light,
+                RandomStream& random) const;
+  Rgb CoarseIrradiance(const Vec3f& origin_m, const Vec3f& normal, RandomStream& random) const;
+  Rgb Sunlight(const ShadingPoint& point, const Vec3f& direction, RandomStream& random) const;
+  bool IsSmooth(const ShadingPoint& point) const;
+
+  const RayScene& rays_;
+  const SurfaceTable& surfaces_;
+  const Lighting& lighting_;
+  GatherOptions options_;
+  int rays_across_;
+  Rgb sun_irradiance_ = Rgb::Zero();
+  Vec3f direction_to_sun_ = Vec3f::UnitZ();
+  CoarseLight coarse_;
+};
+
+}  // namespace pfseq

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skylight and indirect light, computed once and kept on the surfaces of a scene. Each side of each
+// triangle has a grid of records that needs nothing of the scene but its triangles: rows from the
+// vertex opposite the shortest edge to that edge, each row with as many cells as it is long. Two
+// neighbours in a mesh that make up a parallelogram share one grid of rows of the same length. A
+// record belongs to one side of one such face, so that no light leaks round an edge; what it holds
+// depends on the scene and its place alone, so that it is the same whoever asks first. Records
+// that lie within a body, where faces run into each other, are told by what they see and count
+// only where there is no other.
+#pragma once
+
+#include "renderer/core/progress.h"
+#include "renderer/core/vector.h"
+#include "renderer/trace/light_gatherer.h"
+#include "renderer/trace/surface_table.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pfseq {
+
+struct LightStoreOptions {
+  /// Distance of the records on surfaces near the viewpoints.
+  float spacing_m = 0.25F;
+  /// On surfaces further off it grows with the distance to the nearest viewpoint.
+  float spacing_by_distance = 0.03F;
+  /// Where the cameras come by, about. None: spacing_m everywhere.
+  std::vector<Vec3f> viewpoints_m;
+  /// Records beyond this are computed each time they are asked for.
+  int64_t max_bytes = int64_t{4} << 30;
+};
+
+class LightStore {
+ public:
+  /// Names a record.
+  struct RecordId {
+    /// The face's first triangle.
+    uint32_t face_idx = 0;
+    uint32_t record_idx = 0;
+    bool is_front = true;
+  };
+
+  /// All must outlive this.
+  LightStore(const SurfaceTable& surfaces,
+             const LightGatherer& gatherer,
+             const LightStoreOptions& options);
+  ~LightStore();
+  LightStore(const LightStore&) = delete;
+  LightStore& operator=(const LightStore&) = delete;
+
+  /// The light at a point, interpolated between the four records around it; those that are missing
+  /// are computed now. Any number of threads may ask.
+  VectorIrradiance Lookup(const ShadingPoint& point);
+
+  /// Marks the records around a point as wanted and appends those that nobody marked before to
+  /// `missing`.
+  void Want(const ShadingPoint& point, std::vector<RecordId>& missing);
+
+  /// Computes records; `progress` is advanced by one for each.
+  void Compute(const std::vector<RecordId>& records, int num_threads, Progress& progress);
+
+  const LightStoreOptions& Options() const { return options_; }
+  int64_t NumRecords() const { return num_records_.load(std::memory_order_relaxed); }
+  int64_t MemoryBytes() const;
+
+  /// All records as bytes and back. Load gives false, and loads nothing, when the bytes do not
+  /// belong to a store of these triangles.
+  std::string Serialize() const;
+  bool Load(std::string_view bytes);
+
+ private:
+  /// Three times red, green, blue in half precision, of x, y and z of the vector; the fourth of
+  /// the first three is the state, that of the second 1 if the record is buried.
+  struct Record {
+    std::array<uint16_t, 12> halves;
+  };
+  static constexpr uint32_t kRecordsPerPage = 8;
+  struct Page {
+    std::array<Record, kRecordsPerPage> records;
+  };
+  /// The grid of a triangle or parallelogram and the pages of its two sides.
+  struct Grid {
+    bool is_quad = false;
+    /// The vertex that the rows start from; of a parallelogram, the first triangle's vertex that
+    /// is not on the diagonal, and the second's.
+    uint8_t apex = 0;
+    uint8_t second_apex = 0;
+    /// Of a parallelogram: whether its rows follow each other along the edge from the apex to the
+    /// last vertex of the first triangle, not to the next.
+    bool is_turned = false;
+    /// 0: one record stands for the whole face.
+    uint16_t num_rows = 0;
+    uint32_t num_records = 0;
+    uint32_t num_pages = 0;
+    /// First record of each row, and the end.
+    std::unique_ptr<uint32_t[]> row_start;
+    std::unique_ptr<std::atomic<Page*>[]> pages;
+  };
+  /// A place on a face: share of the way along the rows, and across them.
+  struct FacePoint {
+    float along;
+    float across;
+  };
+  /// The records around a point and their weights.
+  struct Stencil {
+    std::array<uint32_t, 4> records{};
+    std::array<float, 4> weights{};
+    int count = 0;
+  };
+
+  Grid& GridOf(uint32_t triangle_idx);
+  std::unique_ptr<Grid> MakeGrid(uint32_t face_idx) const;
+  float SpacingAt(const Vec3f& centre_m, float size_m) const;
+  /// The triangle that names the face that a triangle belongs to.
+  uint32_t FaceOf(uint32_t triangle_idx) const {
+    return is_second_[triangle_idx] != 0 ? triangle_idx - 1 : triangle_idx;
+  }
+  void FindParallelograms();
+  static FacePoint FacePointAt(const Grid& grid, bool is_second, float u, float v);
+  static Stencil StencilAt(const Grid& grid, const FacePoint& place);
+  /// Null when the store is full and the record's page not there.
+  Record* RecordAt(Grid& grid, bool is_front, uint32_t record_idx);
+  Record ComputeRecord(const Grid& grid, const RecordId& id) const;
+  Vec3f RecordPositionM(uint32_t face_idx, const Grid& grid, uint32_t record_idx) const;
+  void Publish(const Record& computed, Record& record);
+
+  const SurfaceTable& surfaces_;
+  const LightGatherer& gatherer_;
+  LightStoreOptions options_;
+  std::vector<std::atomic<Grid*>> grids_;
+  /// 1 for the second triangle of a parallelogram, which the one before begins.
+  std::vector<uint8_t> is_second_;
+  std::mutex allocation_mutex_;
+  std::vector<std::unique_ptr<Grid>> owned_grids_;
+  std::vector<std::unique_ptr<Page>> owned_pages_;
+  std::atomic<int64_t> num_records_{0};
+};
+
+}  // namespace pfseq

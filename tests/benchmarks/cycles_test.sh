@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The peer comparison's formulas, and that wrong input is told in one line before anything is installed or rendered.
+# Usage: cycles_test.sh SOURCE_DIR; exit status 77 (skipped) without Debian's python3-numpy and python3-yaml.
+set -euo pipefail
+
+root=$1
+python=/usr/bin/python3
+"$python" -c 'import numpy, yaml' 2>/dev/null || exit 77
+"$python" -B -m unittest discover -s "$root/benchmarks/cycles"
+
+# refuses TEXT FLAGS...: exit status 2 and one line that holds the text
+refuses() {
+  local expected=$1 text status=0
+  shift
+  text=$("$root/tools/compare_with_cycles.sh" "$@" 2>&1 >/dev/null) || status=$?
+  if [ "$status" -ne 2 ] || [ "$(wc -l <<<"$text")" -ne 1 ] || [[ $text != *"$expected"* ]]; then
+    echo "compare_with_cycles.sh $*: status $status: $text; expected status 2 and one line with: $expected" >&2
+    exit 1
+  fi
+}
+
+refuses "--size: expected whole numbers from 16 to 8192" --size large
+refuses "--frames: expected whole numbers" --frames 3,-1
+refuses "--spp-list: expected at least two different numbers" --spp-list 16,16
+refuses "--pfseq-spp-list: expected as many numbers" --spp-list 4,16 --pfseq-spp-list 1,2,3
+refuses "--reference-seeds: expected an even number" --reference-seeds 3
+refuses "no such file" "$root/no.yaml"
+refuses "--materials: invalid choice" --materials shiny
+"$root/tools/compare_with_cycles.sh" --help | grep -q -- --reference-spp

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/trace/light_store.h"
+
+#include "renderer/core/random.h"
+#include "tests/trace/lit_scene.h"
+#include "tests/trace/shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pfseq {
+namespace {
+
+GatherOptions FewRays() {
+  GatherOptions options;
+  options.num_rays = 64;
+  return options;
+}
+
+/// A floor of 4 x 3 m, a wall on it and a ball with triangles of all shapes.
+Scene Yard() {
+  Scene scene;
+  scene.materials = {LambertianMaterial(Rgb(0.6F, 0.5F, 0.4F)),
+                     LambertianMaterial(Rgb(0.1F, 0.7F, 0.2F))};
+  scene.meshes = {
+      ParallelogramMesh({-2.0F, -1.5F, 0.0F}, {4.0F, 0.0F, 0.0F}, {0.5F, 3.0F, 0.0F}, 0)};
+  AddBox({1.6F, -0.9F, 0.0F}, {0.2F, 1.7F, 1.6F}, 1, &scene.meshes);
+  scene.meshes.push_back(SphereMesh({-0.8F, 0.4F, 0.6F}, 0.5F, 1));
+  return scene;
+}
+
+/// A store over a scene of its own.
+struct StoredScene {
+  explicit StoredScene(const LightStoreOptions& options, Scene scene = Yard())
+      : lit(std::move(scene),
+            SunAndConstantSky({1.0, 0.3, 1.5}, Rgb::Constant(5.0F), Rgb(0.7F, 0.8F, 1.0F)),
+            FewRays()),
+        store(lit.surfaces, lit.gatherer, options) {}
+
+  /// What rays at the scene from all sides meet.
+  std::vector<ShadingPoint> Points(int num_rays) const {
+    std::vector<ShadingPoint> points;
+    RandomStream random({8});
+    for (int i = 0; i < num_rays; ++i) {
+      const double x = random.Uniform(-4.0, 4.0);
+      const double y = random.Uniform(-4.0, 4.0);
+      const Vec3f origin_m = Vec3d(x, y, random.Uniform(-1.0, 4.0)).cast<float>();
+      const double target_x = random.Uniform(-1.8, 1.8);
+      const double target_y = random.Uniform(-1.4, 1.4);
+      const Vec3f target_m = Vec3d(target_x, target_y, random.Uniform(0.0, 1.0)).cast<float>();
+      const Vec3f direction = (target_m - origin_m).normalized();
+      const std::optional<PacketHit> hit = lit.rays.Intersect(origin_m, direction);
+      if (hit.has_value()) {
+        points.push_back(lit.surfaces.Locate(*hit, direction));
+      }
+    }
+    return points;
+  }
+
+  std::vector<LightStore::RecordId> Missing(const std::vector<ShadingPoint>& points) {
+    std::vector<LightStore::RecordId> missing;
+    for (const ShadingPoint& point : points) {
+      store.Want(point, missing);
+    }
+    return missing;
+  }
+
+  void Compute(const std::vector<LightStore::RecordId>& records, int num_threads) {
+    Progress progress("", records.size(), true);
+    store.Compute(records, num_threads, progress);
+  }
+
+  LitScene lit;
+  LightStore store;
+};
+
+LightStoreOptions Spacing(float spacing_m) {
+  LightStoreOptions options;
+  options.spacing_m = spacing_m;
+  return options;
+}
+
+bool IsSame(const VectorIrradiance& a, const VectorIrradiance& b) {
+  return (a.x == b.x).all() && (a.y == b.y).all() && (a.z == b.z).all();
+}
+
+/// A place on the floor, the first mesh, by shares of its two edges.
+ShadingPoint FloorPoint(float along_edge1, float along_edge2, bool is_front = true) {
+  ShadingPoint point;
+  point.is_front = is_front;
+  point.geometric_normal = Vec3f(0.0F, 0.0F, is_front ? 1.0F : -1.0F);
+  if (along_edge1 >= along_edge2) {
+    point.triangle_idx = 0;
+    point.u = along_edge1 - along_edge2;
+    point.v = along_edge2;
+  } else {
+    point.triangle_idx = 1;
+    point.u = along_edge1;
+    point.v = along_edge2 - along_edge1;
+  }
+  return point;
+}
+
+TEST(LightStore, IsBilinearOverAParallelogram) {
+  // Records a metre apart: 4 x 4 cells (the slanted edge is longer than 3 m).
+  StoredScene stored(Spacing(1.0F));
+  const auto light = [&](float s, float t) { return stored.store.Lookup(FloorPoint(s, t)); };
+  RandomStream random({1});
+  double contrast = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    const auto s0 = static_cast<float>(random.Integer(0, 3)) / 4.0F;
+    const auto t0 = static_cast<float>(random.Integer(0, 3)) / 4.0F;
+    const auto x = static_cast<float>(random.Uniform(0.01, 0.99));
+    const auto y = static_cast<float>(random.Uniform(0.01, 0.99));
+    const VectorIrradiance here = light(s0 + 0.25F * x, t0 + 0.25F * y);
+    const std::array<VectorIrradiance, 4> corners = {
+        light(s0, t0), light(s0 + 0.25F, t0), light(s0, t0 + 0.25F), light(s0 + 0.25F, t0 + 0.25F)};
+    const std::array<float, 4> weights = {
+        (1.0F - x) * (1.0F - y), x * (1.0F - y), (1.0F - x) * y, x * y};
+    Eigen::Array4f expected_x = Eigen::Array4f::Zero();
+    Eigen::Array4f expected_z = Eigen::Array4f::Zero();
+    for (size_t k = 0; k < 4; ++k) {
+      expected_x += weights[k] * corners[k].x;
+      expected_z += weights[k] * corners[k].z;
+      contrast = std::max(contrast, static_cast<double>(std::abs(corners[k].z[0] - here.z[0])));
+    }
+    EXPECT_LT((here.x - expected_x).head<3>().abs().maxCoeff(), 1e-3F);
+    EXPECT_LT((here.z - expected_z).head<3>().abs().maxCoeff(), 1e-3F);
+  }
+  EXPECT_GT(contrast, 0.3);
+  EXPECT_EQ(stored.store.NumRecords(), 25);
+}
+
+TEST(LightStore, HasNoStepsWithinTriangles) {
+  // Lines over all triangles of the ball: steps much smaller than the records' distance.
+  StoredScene stored(Spacing(0.03F));
+  const uint32_t first = stored.lit.surfaces.TriangleIdx(6, 0);
+  for (uint32_t k = 50; k < 250; k += 23) {
+    ShadingPoint point;
+    point.triangle_idx = first + k;
+    float before = -1.0F;
+    float least = 1e9F;
+    float most = 0.0F;
+    float widest_step = 0.0F;
+    constexpr int kNumSteps = 400;
+    for (int i = 1; i < kNumSteps; ++i) {
+      const float t = static_cast<float>(i) / kNumSteps;
+      point.u = 0.05F + 0.6F * t;
+      point.v = 0.9F - 0.85F * t;
+      const VectorIrradiance light = stored.store.Lookup(point);
+      const float value = std::abs(light.x[1]) + std::abs(light.y[1]) + std::abs(light.z[1]);
+      widest_step = before < 0.0F ? 0.0F : std::max(widest_step, std::abs(value - before));
+      least = std::min(least, value);
+      most = std::max(most, value);
+      before = value;
+    }
+    // Some ten records lie along the line.
+    EXPECT_LE(widest_step, 0.1F * (most - least) + 1e-4F) << k;
+  }
+}
+
+TEST(LightStore, SidesOfATriangleAreApart) {
+  StoredScene stored(Spacing(0.5F));
+  const VectorIrradiance front = stored.store.Lookup(FloorPoint(0.4F, 0.3F, true));
+  const VectorIrradiance back = stored.store.Lookup(FloorPoint(0.4F, 0.3F, false));
+  EXPECT_GT(front.z[2], 1.0F);
+  // From below, the sky alone.
+  EXPECT_NEAR(back.z[2], -3.1416F, 0.1F);
+}
+
+TEST(LightStore, DoesNotDependOnOrderNorThreads) {
+  StoredScene one(Spacing(0.25F));
+  const std::vector<ShadingPoint> points = one.Points(600);
+  std::vector<LightStore::RecordId> records = one.Missing(points);
+  EXPECT_GT(records.size(), 500U);
+  one.Compute(records, 1);
+  const std::string bytes = one.store.Serialize();
+
+  StoredScene three(Spacing(0.25F));
+  std::reverse(records.begin(), records.end());
+  three.Compute(records, 3);
+  EXPECT_TRUE(three.store.Serialize() == bytes);
+
+  // By lookups alone, the last first.
+  StoredScene asked(Spacing(0.25F));
+  for (size_t i = points.size(); i-- > 0;) {
+    asked.store.Lookup(points[i]);
+  }
+  EXPECT_TRUE(asked.store.Serialize() == bytes);
+  EXPECT_EQ(asked.store.NumRecords(), one.store.NumRecords());
+}
+
+TEST(LightStore, WantsEachRecordOnceAndComputesNoOther) {
+  StoredScene stored(Spacing(0.25F));
+  const std::vector<ShadingPoint> points = stored.Points(300);
+  const std::vector<LightStore::RecordId> records = stored.Missing(points);
+  EXPECT_TRUE(stored.Missing(points).empty());
+  EXPECT_EQ(stored.store.NumRecords(), 0);
+  stored.Compute(records, 2);
+  const auto num_records = static_cast<int64_t>(records.size());
+  EXPECT_EQ(stored.store.NumRecords(), num_records);
+  for (const ShadingPoint& point : points) {
+    stored.store.Lookup(point);
+  }
+  // All were there.
+  EXPECT_EQ(stored.store.NumRecords(), num_records);
+}
+
+TEST(LightStore, SerialisedAndLoadedIsTheSame) {
+  StoredScene stored(Spacing(0.25F));
+  const std::vector<ShadingPoint> points = stored.Points(300);
+  stored.Compute(stored.Missing(points), 2);
+  const std::string bytes = stored.store.Serialize();
+
+  StoredScene loaded(Spacing(0.25F));
+  ASSERT_TRUE(loaded.store.Load(bytes));
+  EXPECT_EQ(loaded.store.NumRecords(), stored.store.NumRecords());
+  EXPECT_TRUE(loaded.store.Serialize() == bytes);
+  for (const ShadingPoint& point : points) {
+    ASSERT_TRUE(IsSame(loaded.store.Lookup(point), stored.store.Lookup(point)));
+  }
+  EXPECT_EQ(loaded.store.NumRecords(), stored.store.NumRecords());
+  EXPECT_TRUE(loaded.Missing(points).empty());
+}
+
+TEST(LightStore, LoadsWhatIsThereFromTwoRuns) {
+  StoredScene first(Spacing(0.25F));
+  const std::vector<ShadingPoint> points = first.Points(300);
+  const std::vector<ShadingPoint> half(points.begin(), points.begin() + 150);
+  first.Compute(first.Missing(half), 1);
+  StoredScene both(Spacing(0.25F));
+  both.Compute(both.Missing(points), 1);
+  StoredScene second(Spacing(0.25F));
+  second.Compute(second.Missing({points.begin() + 100, points.end()}), 1);
+  ASSERT_TRUE(second.store.Load(first.store.Serialize()));
+  EXPECT_TRUE(second.store.Serialize() == both.store.Serialize());
+}
+
+TEST(LightStore, RefusesBytesThatAreNotItsOwnAndLoadsNothing) {
+  StoredScene stored(Spacing(0.25F));
+  stored.Compute(stored.Missing(stored.Points(200)), 2);
+  const std::string bytes = stored.store.Serialize();
+
+  StoredScene loaded(Spacing(0.25F));
+  const std::string empty = loaded.store.Serialize();
+  const auto expect_refused = [&](std::string_view damaged, const std::string& what) {
+    EXPECT_FALSE(loaded.store.Load(damaged)) << what;
+    EXPECT_EQ(loaded.store.NumRecords(), 0) << what;
+    EXPECT_TRUE(loaded.store.Serialize() == empty) << what;
+  };
+  // Less than a page's header and a record is lacking.
+  for (size_t lacking = 1; lacking <= 24; ++lacking) {
+    expect_refused(std::string_view(bytes).substr(0, bytes.size() - lacking), "truncated");
+  }
+  for (const size_t size : {size_t{0}, size_t{7}, size_t{11}, size_t{19}}) {
+    expect_refused(std::string_view(bytes).substr(0, size), "nearly nothing");
+  }
+  expect_refused(bytes + "x", "a byte too many");
+  expect_refused(std::string(5000, '\xA5'), "garbage");
+  std::string garbage = bytes;
+  for (size_t i = 8; i < garbage.size(); ++i) {
+    garbage[i] = static_cast<char>(HashKey({i}));
+  }
+  expect_refused(garbage, "garbage after the number of triangles");
+
+  Scene smaller = Yard();
+  smaller.meshes.pop_back();
+  StoredScene other(Spacing(0.25F), smaller);
+  EXPECT_FALSE(other.store.Load(bytes));
+  EXPECT_EQ(other.store.NumRecords(), 0);
+  ASSERT_TRUE(loaded.store.Load(bytes));
+}
+
+TEST(LightStore, RefusesRecordsThatAFaceDoesNotHave) {
+  // The floor has 25 records a metre apart: three pages of eight and one record on the fourth.
+  const auto bytes_with = [](uint32_t face_idx, uint32_t page_idx, uint32_t ready, uint16_t state) {
+    std::string bytes;
+    const auto append = [&](const auto& value) {
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    };
+    append(uint64_t{StoredScene(Spacing(1.0F)).lit.surfaces.NumTriangles()});
+    append(std::array<uint32_t, 3>{face_idx, page_idx, ready});
+    append(std::array<uint16_t, 12>{0, 0, 0, state});
+    return bytes;
+  };
+  const auto loads = [&](const std::string& bytes) {
+    StoredScene stored(Spacing(1.0F));
+    const bool is_loaded = stored.store.Load(bytes);
+    EXPECT_EQ(stored.store.NumRecords(), is_loaded ? 1 : 0);
+    return is_loaded;
+  };
+  EXPECT_TRUE(loads(bytes_with(0, 3, 1U, 2)));
+  EXPECT_FALSE(loads(bytes_with(0, 3, 2U, 2))) << "a 26th record";
+  EXPECT_FALSE(loads(bytes_with(0, 8, 1U, 2))) << "a fifth page of the back";
+  EXPECT_FALSE(loads(bytes_with(1, 0, 1U, 2))) << "the parallelogram's second triangle";
+  EXPECT_FALSE(loads(bytes_with(100000, 0, 1U, 2))) << "a triangle too many";
+  EXPECT_FALSE(loads(bytes_with(0, 3, 1U, 1))) << "a record that was wanted alone";
+}
+
+TEST(LightStore, SlabThroughAWallIsNotDarkenedBesideIt) {
+  // A black wall of 0.6 m stands on, and goes through, a slab with records each half metre: those
+  // in the middle lie within the wall.
+  Scene scene;
+  scene.materials = {LambertianMaterial(Rgb::Zero())};
+  scene.meshes = {FloorMesh(4.0F, 0)};
+  AddBox({-0.3F, -6.0F, -1.0F}, {0.6F, 12.0F, 1.5F}, 0, &scene.meshes);
+  StoredScene stored(Spacing(0.5F), scene);
+  const auto light_at = [&](float x_m) {
+    return stored.store.Lookup(FloorPoint((x_m + 4.0F) / 8.0F, 0.53F)).z[0];
+  };
+  const float beside = light_at(0.5F);
+  EXPECT_GT(beside, 1.0F);
+  EXPECT_NEAR(light_at(0.31F), beside, 0.01F * beside);
+  EXPECT_NEAR(light_at(-0.31F), light_at(-0.5F), 0.01F * beside);
+  // Where there is nothing but buried records, they count.
+  EXPECT_LT(light_at(0.0F), 0.1F * beside);
+}
+
+TEST(LightStore, LittleMemoryGivesTheSameLookups) {
+  StoredScene plenty(Spacing(0.25F));
+  const std::vector<ShadingPoint> points = plenty.Points(100);
+  for (const int64_t max_bytes : {int64_t{0}, int64_t{1000}, int64_t{4000}}) {
+    LightStoreOptions options = Spacing(0.25F);
+    options.max_bytes = max_bytes;
+    StoredScene little(options);
+    little.Compute(little.Missing(points), 2);
+    for (const ShadingPoint& point : points) {
+      ASSERT_TRUE(IsSame(little.store.Lookup(point), plenty.store.Lookup(point))) << max_bytes;
+    }
+    // A record takes 24 bytes.
+    EXPECT_LE(little.store.NumRecords() * 24, max_bytes);
+    EXPECT_EQ(little.store.NumRecords() > 0, max_bytes > 0);
+    EXPECT_LT(little.store.NumRecords(), plenty.store.NumRecords());
+  }
+}
+
+TEST(LightStore, SpacingGrowsWithTheDistanceToTheNearestViewpoint) {
+  const auto num_records = [](const std::vector<Vec3f>& viewpoints_m) {
+    LightStoreOptions options = Spacing(0.25F);
+    options.viewpoints_m = viewpoints_m;
+    StoredScene stored(options);
+    std::vector<LightStore::RecordId> missing;
+    for (int i = 0; i <= 100; ++i) {
+      for (int k = 0; k <= 100; ++k) {
+        stored.store.Want(
+            FloorPoint(static_cast<float>(i) / 100.0F, static_cast<float>(k) / 100.0F), missing);
+      }
+    }
+    return missing.size();
+  };
+  const size_t everywhere = num_records({});
+  EXPECT_EQ(everywhere, 17U * 14U);
+  EXPECT_EQ(num_records({Vec3f(0.0F, 0.0F, 2.0F)}), everywhere);
+  // 0.03 * (40 - 0.6 * 4) m: about 1.13 m.
+  EXPECT_EQ(num_records({Vec3f(0.0F, 0.0F, 40.0F)}), 5U * 4U);
+  // The nearest of them counts.
+  EXPECT_EQ(num_records({Vec3f(0.0F, 0.0F, 40.0F), Vec3f(0.0F, 0.0F, 2.0F)}), everywhere);
+}
+
+}  // namespace
+}  // namespace pfseq
