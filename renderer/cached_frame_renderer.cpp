@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/cached_frame_renderer.h"
 
-#include "renderer/core/check.h"
 #include "renderer/core/parallel.h"
+#include "renderer/pixel_context.h"
 
 #include <algorithm>
 #include <bit>
@@ -44,20 +44,6 @@ struct PixelSums {
   /// Of the first half of the first samples.
   float half_luminance = 0.0F;
   int num_samples = 0;
-};
-
-/// Names the pixel that a thread is working on, should an invariant break there.
-class PixelContext : public FailureContext::Source {
- public:
-  explicit PixelContext(const std::function<std::string(int, int)>& describe)
-      : describe_(describe) {}
-  std::string Describe() const override { return describe_ ? describe_(x, y) : std::string(); }
-
-  int x = 0;
-  int y = 0;
-
- private:
-  const std::function<std::string(int, int)>& describe_;
 };
 
 /// The directions of one pixel in the world.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/frame_renderer.h"
 
-#include "renderer/core/check.h"
 #include "renderer/core/parallel.h"
+#include "renderer/pixel_context.h"
 #include "renderer/trace/sampler.h"
 
 #include <algorithm>
@@ -13,20 +13,6 @@ namespace {
 
 // Neighbouring pixels meet the same parts of the scene: a tile's data stays in the cache.
 constexpr int kTilePx = 16;
-
-/// Names the pixel that a thread is working on, should an invariant break there.
-class PixelContext : public FailureContext::Source {
- public:
-  explicit PixelContext(const std::function<std::string(int, int)>& describe)
-      : describe_(describe) {}
-  std::string Describe() const override { return describe_ ? describe_(x, y) : std::string(); }
-
-  int x = 0;
-  int y = 0;
-
- private:
-  const std::function<std::string(int, int)>& describe_;
-};
 
 }  // namespace
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "renderer/trace/coarse_light.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pfseq {
+namespace {
+
+/// Triangles of the plane z = 0, their fronts upward.
+Scene PlaneOf(const std::vector<std::array<Vec2f, 3>>& triangles) {
+  Mesh mesh;
+  for (const std::array<Vec2f, 3>& corners : triangles) {
+    const auto first = static_cast<uint32_t>(mesh.positions_m.size());
+    for (const Vec2f& corner : corners) {
+      mesh.positions_m.emplace_back(corner.x(), corner.y(), 0.0F);
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  Scene scene;
+  scene.meshes = {mesh};
+  scene.materials = {Material{}};
+  return scene;
+}
+
+/// The irradiance is the place; front sides have blue 1, back sides 0.
+struct PlaceLight {
+  explicit PlaceLight(Scene plain_scene, float cell_m)
+      : scene(std::move(plain_scene)),
+        textures(scene),
+        surfaces(scene, textures),
+        light(
+            surfaces, cell_m, [this](const Vec3f& position_m, const Vec3f& normal, RandomStream&) {
+              places.push_back(position_m);
+              return Rgb(position_m.x(), position_m.y(), normal.z() > 0.0F ? 1.0F : 0.0F);
+            }) {}
+
+  Scene scene;
+  TextureSet textures;
+  SurfaceTable surfaces;
+  std::vector<Vec3f> places;
+  CoarseLight light;
+};
+
+TEST(CoarseLight, SmallTrianglesOfACellShareTheMeanOverTheirAreas) {
+  // Areas 3 : 1, centroids at x = 0.5 and 0.9 (thirds of the corners' sums).
+  PlaceLight place(PlaneOf({{Vec2f(0.2F, 0.1F), Vec2f(0.8F, 0.1F), Vec2f(0.5F, 0.7F)},
+                            {Vec2f(0.8F, 0.1F), Vec2f(0.95F, 0.1F), Vec2f(0.95F, 0.9F)}}),
+                   1.0F);
+  const Rgb first = place.light.Irradiance(0, 0.3F, 0.3F, true);
+  const size_t num_places = place.places.size();
+  EXPECT_TRUE((place.light.Irradiance(1, 0.1F, 0.1F, true) == first).all());
+  EXPECT_EQ(place.places.size(), num_places) << "the same patch was estimated again";
+  EXPECT_NEAR(first[0], 0.75F * 0.5F + 0.25F * 0.9F, 0.03F);
+  EXPECT_EQ(first[2], 1.0F);
+}
+
+TEST(CoarseLight, EachSideHasItsOwn) {
+  PlaceLight place(PlaneOf({{Vec2f(0.0F, 0.0F), Vec2f(1.0F, 0.0F), Vec2f(0.0F, 1.0F)}}), 1.0F);
+  EXPECT_EQ(place.light.Irradiance(0, 0.3F, 0.3F, true)[2], 1.0F);
+  EXPECT_EQ(place.light.Irradiance(0, 0.3F, 0.3F, false)[2], 0.0F);
+}
+
+TEST(CoarseLight, LargeTrianglesAreCutIntoCells) {
+  constexpr float kSide_m = 8.0F;
+  PlaceLight place(PlaneOf({{Vec2f(0.0F, 0.0F), Vec2f(kSide_m, 0.0F), Vec2f(0.0F, kSide_m)}}),
+                   1.0F);
+  // ceil(8 sqrt(2)) = 12 cells along each edge.
+  constexpr float kCell_m = kSide_m / 12.0F;
+  const Rgb inner = place.light.Irradiance(0, 3.2F / 12.0F, 5.7F / 12.0F, true);
+  EXPECT_NEAR(inner[0], 3.5F * kCell_m, 0.15F * kCell_m);
+  EXPECT_NEAR(inner[1], 5.5F * kCell_m, 0.15F * kCell_m);
+  // A cell across the long edge: the centroid of its inner half.
+  const Rgb outer = place.light.Irradiance(0, 5.2F / 12.0F, 6.3F / 12.0F, true);
+  EXPECT_NEAR(outer[0], (5.0F + 1.0F / 3.0F) * kCell_m, 0.15F * kCell_m);
+  EXPECT_NEAR(outer[1], (6.0F + 1.0F / 3.0F) * kCell_m, 0.15F * kCell_m);
+  EXPECT_TRUE(std::all_of(place.places.begin(), place.places.end(), [&](const Vec3f& at) {
+    return at.x() >= 0.0F && at.y() >= 0.0F && at.x() + at.y() <= kSide_m * 1.0001F;
+  }));
+}
+
+}  // namespace
+}  // namespace pfseq
