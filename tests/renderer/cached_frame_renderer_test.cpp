@@ -56,6 +56,49 @@ TEST(RenderCachedRadiance, AgreesWithThePathTracerToTwoPercent) {
   EXPECT_LT(sum_of_errors, 0.02 * sum);
 }
 
+TEST(RenderCachedRadiance, TexturesLieWhereThePathTracerHasThem) {
+  // A glowing floor, red growing to the east and green to the south: a shift shows as a difference.
+  constexpr int kTexels = 64;
+  Texture ramp;
+  ramp.is_srgb = false;
+  ramp.texels = Image<uint8_t>(kTexels, kTexels, 4, 255);
+  for (int y = 0; y < kTexels; ++y) {
+    for (int x = 0; x < kTexels; ++x) {
+      ramp.texels.At(x, y, 0) = static_cast<uint8_t>(4 * x);
+      ramp.texels.At(x, y, 1) = static_cast<uint8_t>(4 * y);
+    }
+  }
+  Scene scene;
+  scene.textures = {ramp};
+  scene.materials = {LambertianMaterial(Rgb::Zero())};
+  scene.materials[0].emission = Rgb::Ones();
+  scene.materials[0].emission_texture_idx = 0;
+  Mesh floor;
+  floor.positions_m = {{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}};
+  floor.texcoords = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+  floor.triangles = {{0, 1, 2}, {0, 2, 3}};
+  scene.meshes = {floor};
+  const TwoBoxesStage stage(scene, ConstantSkyLight(Rgb::Zero()));
+  const auto light = stage.MakeCachedLight();
+  const Image<float> cached =
+      Render(stage, *light, PixelSampling{.num_samples = 8, .max_samples = 8});
+  const PathTracer tracer(stage.Rays(), stage.Textures(), stage.Light(), {});
+  const Image<float> reference = RenderRadiance(tracer, stage.MakeView(), 64, 2, nullptr, {});
+  Eigen::Array2d error = Eigen::Array2d::Zero();
+  Eigen::Array2d per_pixel = Eigen::Array2d::Zero();
+  for (int y = kSizePx / 2 - 6; y < kSizePx / 2 + 6; ++y) {
+    for (int x = kSizePx / 2 - 6; x < kSizePx / 2 + 6; ++x) {
+      error += Eigen::Array2d(cached.At(x, y, 0) - reference.At(x, y, 0),
+                              cached.At(x, y, 1) - reference.At(x, y, 1));
+      per_pixel += Eigen::Array2d(reference.At(x + 1, y, 0) - reference.At(x, y, 0),
+                                  reference.At(x, y + 1, 1) - reference.At(x, y, 1));
+    }
+  }
+  ASSERT_GT(per_pixel.abs().minCoeff(), 1.0);
+  // In pixels.
+  EXPECT_LT((error / per_pixel).abs().maxCoeff(), 0.02);
+}
+
 TEST(RenderCachedRadiance, DoesNotDependOnThreadsNorOnWhatWasComputedBefore) {
   const TwoBoxesStage stage;
   const PixelSampling sampling{.num_samples = 4, .max_samples = 16};
