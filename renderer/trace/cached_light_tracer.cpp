@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/trace/cached_light_tracer.h"
 
-#include "renderer/trace/material.h"
-
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <numbers>
-#include <optional>
 
 namespace pfseq {
 namespace {
@@ -25,39 +22,56 @@ constexpr float kNarrowRoughness = 0.25F;
 /// Irradiance of a normal that is tilted against the geometric one. The vector's component is that
 /// without the part of the hemisphere below the tilted normal's horizon, where it counts negative;
 /// the second term makes up for it, exactly under a uniform sky.
-Rgb TiltedIrradiance(const VectorIrradiance& light, const ShadingPoint& point) {
+Rgb8 TiltedIrradiance(const LightPacket& light, const ScatterPacket& surface) {
   // The mean normal: both terms are linear in it.
-  const Vec3f normal = point.normal_length * point.normal;
-  const float cosine = point.geometric_normal.dot(normal);
-  Rgb irradiance = light.Along(normal);
-  if (cosine < 1.0F) {
-    irradiance += (0.5F * (1.0F - cosine)) * light.Along(point.geometric_normal);
-  }
-  return irradiance.max(0.0F);
+  const Vec3x8 normal = surface.normal_length * surface.normal;
+  const Float8 cosine = Dot(surface.geometric_normal, normal);
+  const Rgb8 irradiance = light.Along(normal) +
+                          (0.5F * Max(1.0F - cosine, 0.0F)) * light.Along(surface.geometric_normal);
+  return Max(irradiance, Rgb8{});
 }
 
 /// Mean radiance over a wide specular lobe, of the linear field of radiance that has the light's
 /// first moments.
-Rgb LobeRadiance(const VectorIrradiance& light,
-                 const ShadingPoint& point,
-                 const Vec3f& to_viewer,
-                 const Rgb& irradiance) {
-  const Vec3f& normal = point.normal;
-  const Vec3f mirrored = 2.0F * normal.dot(to_viewer) * normal - to_viewer;
+Rgb8 LobeRadiance(const LightPacket& light, const ScatterPacket& surface, const Rgb8& irradiance) {
+  const Vec3x8& normal = surface.normal;
+  const Vec3x8 mirrored = (2.0F * surface.viewer_cosine) * normal - surface.to_viewer;
   // The lobe's main direction: Lagarde and de Rousiers 2014, "Moving Frostbite to Physically Based
   // Rendering", section 4.9.3.
-  const float smoothness = std::clamp(1.0F - point.parameters.roughness, 0.0F, 1.0F);
-  const float share = smoothness * (std::sqrt(smoothness) + point.parameters.roughness);
-  const Vec3f lobe = ((1.0F - share) * normal + share * mirrored).normalized();
-  const Vec3f in_plane = lobe - lobe.dot(point.geometric_normal) * point.geometric_normal;
+  const Float8 smoothness = Max(Min(1.0F - surface.roughness, 1.0F), 0.0F);
+  const Float8 share = smoothness * (Sqrt(smoothness) + surface.roughness);
+  const Vec3x8 lobe = Normalized((1.0F - share) * normal + share * mirrored);
+  const Vec3x8 in_plane = lobe - Dot(lobe, surface.geometric_normal) * surface.geometric_normal;
   // Of radiance L = a + b . w over the hemisphere, the in-plane moments are 2 pi / 3 b.
-  const Rgb mean = irradiance * kInversePi;
-  return (mean + light.Along(in_plane) * (1.5F * kInversePi)).max(0.2F * mean);
+  const Rgb8 mean = Float8(kInversePi) * irradiance;
+  return Max(mean + Float8(1.5F * kInversePi) * light.Along(in_plane), Float8(0.2F) * mean);
 }
 
-float PowerHeuristic(double pdf, double other_pdf) {
-  const double ratio = other_pdf / pdf;
-  return static_cast<float>(1.0 / (1.0 + ratio * ratio));
+Float8 PowerHeuristic(Float8 pdf, Float8 other_pdf) {
+  const Float8 ratio = other_pdf / pdf;
+  return 1.0F / (1.0F + ratio * ratio);
+}
+
+/// A pair of random numbers for each lane.
+struct Draws {
+  Float8 first;
+  Float8 second;
+};
+
+/// Those of the lanes' samplers at a vertex, after as many others.
+Draws Draw2D(uint32_t lanes, int vertex_idx, int num_skipped, CameraPacket& packet) {
+  std::array<float, kPacketSize> first{};
+  std::array<float, kPacketSize> second{};
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<size_t>(std::countr_zero(lanes));
+    PixelSampler& sampler = packet.samplers[lane];
+    sampler.StartVertex(vertex_idx);
+    sampler.Skip(num_skipped);
+    const Vec2d draw = sampler.Get2D();
+    first[lane] = static_cast<float>(draw.x());
+    second[lane] = static_cast<float>(draw.y());
+  }
+  return {Float8(first), Float8(second)};
 }
 
 }  // namespace
@@ -75,196 +89,157 @@ CachedLightTracer::CachedLightTracer(const RayScene& rays,
       min_indirect_roughness_(min_indirect_roughness),
       max_bounces_(max_bounces) {
   if (lighting.sun.has_value()) {
-    sun_irradiance_ = lighting.sun->Radiance() * static_cast<float>(1.0 / lighting.sun->Pdf());
+    sun_pdf_ = static_cast<float>(lighting.sun->Pdf());
+    sun_irradiance_ = lighting.sun->Radiance() / sun_pdf_;
     direction_to_sun_ = lighting.sun->DirectionToSun().cast<float>();
   }
 }
 
-Rgb CachedLightTracer::EscapedLight(const Vec3f& direction) const {
+Rgb CachedLightTracer::EscapedLight(const Vec3f& direction, float sun_weight) const {
   Rgb light = lighting_.sky.Radiance(direction);
-  if (lighting_.sun.has_value() && lighting_.sun->Contains(direction.cast<double>().normalized())) {
-    light += lighting_.sun->Radiance();
+  if (sun_weight > 0.0F && lighting_.sun.has_value() &&
+      lighting_.sun->Contains(direction.cast<double>().normalized())) {
+    light += sun_weight * lighting_.sun->Radiance();
   }
   return light;
 }
 
-CachedLightTracer::Surface::Surface(const ShadingPoint& shading_point, const Vec3f& direction)
-    : point(shading_point), to_viewer(-direction) {
-  if (!point.IsLambertian()) {
-    frame.emplace(point.normal.cast<double>());
-    bsdf.emplace(point.parameters, frame->ToLocal(to_viewer.cast<double>()));
-    diffuse = bsdf->DiffuseReflectance();
-    specular = bsdf->SpecularReflectance();
-  } else {
-    diffuse = point.parameters.base_color;
+Rgb8 CachedLightTracer::ReflectedLight(const std::array<ShadingPoint, kPacketSize>& points,
+                                       const ScatterPacket& surface,
+                                       uint32_t active,
+                                       Mask8 is_traced,
+                                       int vertex_idx,
+                                       CameraPacket& packet) const {
+  std::array<VectorIrradiance, kPacketSize> records;
+  for (uint32_t lanes = active; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<size_t>(std::countr_zero(lanes));
+    records[lane] = store_.Lookup(points[lane]);
   }
-}
-
-bool CachedLightTracer::Surface::Mirrors() const {
-  return bsdf.has_value() && (point.parameters.roughness < kTracedRoughness ||
-                              Luminance(specular) > kTracedShare * Luminance(diffuse + specular));
-}
-
-Rgb CachedLightTracer::StoredLight(const Surface& surface, bool is_traced) const {
-  const VectorIrradiance light = store_.Lookup(surface.point);
-  const Rgb irradiance = TiltedIrradiance(light, surface.point);
-  Rgb radiance = surface.diffuse * irradiance * kInversePi;
-  if (surface.bsdf.has_value() && !is_traced) {
-    radiance +=
-        surface.specular * LobeRadiance(light, surface.point, surface.to_viewer, irradiance);
+  const LightPacket stored(records);
+  const Rgb8 irradiance = TiltedIrradiance(stored, surface);
+  Rgb8 light = Float8(kInversePi) * (surface.DiffuseReflectance() * irradiance);
+  if ((surface.is_specular.Bits() & ~is_traced.Bits() & active) != 0) {
+    const Rgb8 lobe = surface.SpecularReflectance() * LobeRadiance(stored, surface, irradiance);
+    light = light + Select(is_traced, Rgb8{}, lobe);
   }
-  return radiance;
+  return lighting_.sun.has_value() ? light + SunLight(surface, active, vertex_idx, packet) : light;
 }
 
-Rgb CachedLightTracer::SunLight(const Surface& surface, const Vec3f& to_sun) const {
-  const ShadingPoint& point = surface.point;
-  if (!surface.bsdf.has_value()) {
-    const float cosine = point.normal_length * std::max(0.0F, point.normal.dot(to_sun));
-    return surface.diffuse * sun_irradiance_ * (cosine * kInversePi);
+Rgb8 CachedLightTracer::SunLight(const ScatterPacket& surface,
+                                 uint32_t active,
+                                 int vertex_idx,
+                                 CameraPacket& packet) const {
+  const Vec3x8 to_middle = Broadcast(direction_to_sun_);
+  const uint32_t facing = active & ((Dot(surface.normal, to_middle) > 0.0F) &
+                                    (Dot(surface.geometric_normal, to_middle) > 0.0F))
+                                       .Bits();
+  if (facing == 0) {
+    return {};
   }
-  const Vec3d local = surface.frame->ToLocal(to_sun.cast<double>());
-  const BsdfValue specular = surface.bsdf->EvaluateSpecular(local);
-  const float weight = point.parameters.roughness < kNarrowRoughness
-                           ? PowerHeuristic(lighting_.sun->Pdf(), specular.pdf)
-                           : 1.0F;
-  return (point.normal_length * surface.bsdf->EvaluateDiffuse(local) +
-          specular.value_cosine * weight) *
-         sun_irradiance_;
-}
-
-bool CachedLightTracer::FacesSun(const ShadingPoint& point) const {
-  return lighting_.sun.has_value() && point.normal.dot(direction_to_sun_) > 0.0F &&
-         point.geometric_normal.dot(direction_to_sun_) > 0.0F;
-}
-
-Vec3f CachedLightTracer::SunSample(int vertex_idx, PixelSampler& sampler) const {
   // The third draw of a vertex, as in the path tracer.
-  sampler.StartVertex(vertex_idx);
-  sampler.Skip(2);
-  return lighting_.sun->SampleDirection(sampler.Get2D()).cast<float>();
+  const Draws draws = Draw2D(facing, vertex_idx, 2, packet);
+  const Vec3x8 to_sun = lighting_.sun->SampleDirection(draws.first, draws.second);
+  const uint32_t sunlit =
+      facing &
+      ~rays_.Occluded(MakeRayPacket(surface.RayOriginM(), to_sun, facing), Coherence::kCoherent);
+  if (sunlit == 0) {
+    return {};
+  }
+  Rgb8 value = surface.normal_length * surface.EvaluateDiffuse(to_sun);
+  if ((surface.is_specular.Bits() & sunlit) != 0) {
+    const ScatterPacket::Specular specular = surface.EvaluateSpecular(to_sun);
+    // Where the lobe has no density it has no value either.
+    const Float8 weight = Select((surface.roughness < kNarrowRoughness) & (specular.pdf > 0.0F),
+                                 PowerHeuristic(sun_pdf_, specular.pdf),
+                                 1.0F);
+    value = value + weight * specular.value_cosine;
+  }
+  return Select(Mask8::FromBits(sunlit), value * Broadcast(sun_irradiance_), Rgb8{});
+}
+
+Rgb8 CachedLightTracer::MirroredLight(const ScatterPacket& surface,
+                                      uint32_t mirroring,
+                                      CameraPacket& packet) const {
+  const Draws draws = Draw2D(mirroring, 0, 0, packet);
+  const ScatterPacket::SpecularSample sample = surface.SampleSpecular(draws.first, draws.second);
+  const RayPacket rays =
+      MakeRayPacket(surface.RayOriginM(), sample.to_light, mirroring & sample.is_valid.Bits());
+  if (rays.active == 0) {
+    return {};
+  }
+  HitPacket hits;
+  rays_.Intersect(rays, Coherence::kCoherent, hits);
+  const std::array<float, kPacketSize> roughness = surface.roughness.Values();
+  const std::array<float, kPacketSize> sun_weights =
+      Select(surface.roughness < kNarrowRoughness, PowerHeuristic(sample.pdf, sun_pdf_), 0.0F)
+          .Values();
+  std::array<Rgb, kPacketSize> escaped;
+  escaped.fill(Rgb::Zero());
+  std::array<ShadingPoint, kPacketSize> points;
+  for (uint32_t lanes = rays.active; lanes != 0; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const auto lane = static_cast<size_t>(i);
+    if (!hits.IsHit(i)) {
+      escaped[lane] = EscapedLight(rays.Direction(i), sun_weights[lane]);
+      continue;
+    }
+    const PacketHit hit = hits.Of(i);
+    // The lobe's width and the camera ray's footprint both widen what the reflection averages.
+    const float spread =
+        0.5F * roughness[lane] * roughness[lane] + 2.0F * packet.footprints[lane].axis_x.norm();
+    points[lane] = surfaces_.Shade(hit,
+                                   rays.Origin(i),
+                                   rays.Direction(i),
+                                   spread * hit.distance_m,
+                                   std::max(min_indirect_roughness_, kNarrowRoughness));
+  }
+  Rgb8 light = Transposed(escaped);
+  if (hits.hit != 0) {
+    const ScatterPacket seen(points, hits.hit, rays);
+    Rgb8 reflected = seen.emission;
+    if (max_bounces_ >= 2) {
+      reflected = reflected + ReflectedLight(points, seen, hits.hit, Mask8(), 1, packet);
+    }
+    light = Select(Mask8::FromBits(hits.hit), reflected, light);
+  }
+  return Select(Mask8::FromBits(rays.active), sample.weight * light, Rgb8{});
 }
 
 void CachedLightTracer::Radiance(CameraPacket& packet,
                                  std::array<Rgb, kPacketSize>& radiance) const {
   HitPacket hits;
   rays_.Intersect(packet.rays, Coherence::kCoherent, hits);
-  std::array<std::optional<Surface>, kPacketSize> surfaces;
-  RayPacket sun_rays;
-  uint32_t mirroring = 0;
-  for (int i = 0; i < kPacketSize; ++i) {
-    if (!packet.rays.IsActive(i)) {
-      continue;
-    }
+  std::array<ShadingPoint, kPacketSize> points;
+  for (uint32_t lanes = packet.rays.active; lanes != 0; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
     const auto lane = static_cast<size_t>(i);
-    const Vec3f direction = packet.rays.Direction(i);
-    if (!hits.IsHit(i)) {
-      radiance[lane] = EscapedLight(direction);
-      continue;
-    }
-    const Surface& surface = surfaces[lane].emplace(
-        surfaces_.Shade(hits.Of(i), packet.rays.Origin(i), direction, packet.footprints[lane]),
-        direction);
-    radiance[lane] = surface.point.emission;
-    if (max_bounces_ < 1) {
-      continue;
-    }
-    const bool is_traced = surface.Mirrors();
-    radiance[lane] += StoredLight(surface, is_traced);
-    mirroring |= is_traced ? 1U << i : 0U;
-    if (FacesSun(surface.point)) {
-      sun_rays.Set(i, surface.point.RayOriginM(), SunSample(0, packet.samplers[lane]));
+    if (hits.IsHit(i)) {
+      points[lane] = surfaces_.Shade(
+          hits.Of(i), packet.rays.Origin(i), packet.rays.Direction(i), packet.footprints[lane]);
+    } else {
+      radiance[lane] = EscapedLight(packet.rays.Direction(i), 1.0F);
     }
   }
-  const uint32_t sunlit = sun_rays.active & ~rays_.Occluded(sun_rays, Coherence::kCoherent);
-  for (int i = 0; i < kPacketSize; ++i) {
-    if ((sunlit >> i & 1U) != 0) {
-      const auto lane = static_cast<size_t>(i);
-      radiance[lane] += SunLight(*surfaces[lane], sun_rays.Direction(i));
-    }
-  }
-  if (mirroring != 0) {
-    AddReflections(surfaces, mirroring, packet, radiance);
-  }
-}
-
-void CachedLightTracer::AddReflections(
-    const std::array<std::optional<Surface>, kPacketSize>& surfaces,
-    uint32_t mirroring,
-    CameraPacket& packet,
-    std::array<Rgb, kPacketSize>& radiance) const {
-  RayPacket rays;
-  std::array<BsdfSample, kPacketSize> samples;
-  for (int i = 0; i < kPacketSize; ++i) {
-    if ((mirroring >> i & 1U) == 0) {
-      continue;
-    }
-    const auto lane = static_cast<size_t>(i);
-    const Surface& surface = *surfaces[lane];
-    packet.samplers[lane].StartVertex(0);
-    const std::optional<BsdfSample> sample =
-        surface.bsdf->SampleSpecular(packet.samplers[lane].Get2D());
-    if (!sample.has_value()) {
-      continue;
-    }
-    samples[lane] = *sample;
-    const Vec3f direction = surface.frame->ToWorld(sample->to_light).normalized().cast<float>();
-    if (direction.dot(surface.point.geometric_normal) > 0.0F) {
-      rays.Set(i, surface.point.RayOriginM(), direction);
-    }
-  }
-  if (rays.active == 0) {
+  if (hits.hit == 0) {
     return;
   }
-  HitPacket hits;
-  rays_.Intersect(rays, Coherence::kCoherent, hits);
-  std::array<std::optional<Surface>, kPacketSize> seen;
-  RayPacket sun_rays;
-  std::array<Rgb, kPacketSize> light;
-  for (int i = 0; i < kPacketSize; ++i) {
-    if (!rays.IsActive(i)) {
-      continue;
-    }
-    const auto lane = static_cast<size_t>(i);
-    const Vec3f direction = rays.Direction(i);
-    const float roughness = surfaces[lane]->point.parameters.roughness;
-    if (!hits.IsHit(i)) {
-      light[lane] = lighting_.sky.Radiance(direction);
-      if (lighting_.sun.has_value() && roughness < kNarrowRoughness &&
-          lighting_.sun->Contains(direction.cast<double>())) {
-        light[lane] +=
-            lighting_.sun->Radiance() * PowerHeuristic(samples[lane].pdf, lighting_.sun->Pdf());
-      }
-      continue;
-    }
-    const PacketHit hit = hits.Of(i);
-    // The lobe's width and the camera ray's footprint both widen what the reflection averages.
-    const float spread =
-        0.5F * roughness * roughness + 2.0F * packet.footprints[lane].axis_x.norm();
-    const Surface& surface =
-        seen[lane].emplace(surfaces_.Shade(hit,
-                                           rays.Origin(i),
-                                           direction,
-                                           spread * hit.distance_m,
-                                           std::max(min_indirect_roughness_, kNarrowRoughness)),
-                           direction);
-    light[lane] = surface.point.emission;
-    if (max_bounces_ < 2) {
-      continue;
-    }
-    light[lane] += StoredLight(surface, false);
-    if (FacesSun(surface.point)) {
-      sun_rays.Set(i, surface.point.RayOriginM(), SunSample(1, packet.samplers[lane]));
+  const ScatterPacket surface(points, hits.hit, packet.rays);
+  Rgb8 light = surface.emission;
+  if (max_bounces_ >= 1) {
+    const Float8 diffuse = Luminance(surface.DiffuseReflectance());
+    const Float8 specular = Luminance(surface.SpecularReflectance());
+    const Mask8 mirrors = surface.is_specular & ((surface.roughness < kTracedRoughness) |
+                                                 (specular > kTracedShare * (diffuse + specular)));
+    light = light + ReflectedLight(points, surface, hits.hit, mirrors, 0, packet);
+    const uint32_t mirroring = mirrors.Bits() & hits.hit;
+    if (mirroring != 0) {
+      light = light + MirroredLight(surface, mirroring, packet);
     }
   }
-  const uint32_t sunlit = sun_rays.active & ~rays_.Occluded(sun_rays, Coherence::kCoherent);
-  for (int i = 0; i < kPacketSize; ++i) {
-    const auto lane = static_cast<size_t>(i);
-    if ((sunlit >> i & 1U) != 0) {
-      light[lane] += SunLight(*seen[lane], sun_rays.Direction(i));
-    }
-    if (rays.IsActive(i)) {
-      radiance[lane] += samples[lane].weight * light[lane];
-    }
+  const std::array<Rgb, kPacketSize> colors = Transposed(light);
+  for (uint32_t lanes = hits.hit; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<size_t>(std::countr_zero(lanes));
+    radiance[lane] = colors[lane];
   }
 }
 

@@ -4,13 +4,12 @@
 #include "renderer/core/vector.h"
 #include "renderer/trace/light_store.h"
 #include "renderer/trace/lighting.h"
-#include "renderer/trace/material.h"
 #include "renderer/trace/ray_scene.h"
 #include "renderer/trace/sampler.h"
+#include "renderer/trace/scatter_packet.h"
 #include "renderer/trace/surface_table.h"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace pfseq {
@@ -48,32 +47,22 @@ class CachedLightTracer {
   void WantRecords(const RayPacket& rays, std::vector<LightStore::RecordId>& missing) const;
 
  private:
-  Rgb EscapedLight(const Vec3f& direction) const;
-  /// A shading point with its scattering toward the viewer; no BSDF where it is Lambertian.
-  struct Surface {
-    Surface(const ShadingPoint& shading_point, const Vec3f& direction);
-
-    /// Whether the specular lobe is to be traced.
-    bool Mirrors() const;
-
-    ShadingPoint point;
-    Vec3f to_viewer;
-    std::optional<ShadingFrame> frame;
-    std::optional<Bsdf> bsdf;
-    Rgb diffuse = Rgb::Zero();
-    Rgb specular = Rgb::Zero();
-  };
-
-  void AddReflections(const std::array<std::optional<Surface>, kPacketSize>& surfaces,
-                      uint32_t mirroring,
-                      CameraPacket& packet,
-                      std::array<Rgb, kPacketSize>& radiance) const;
-  /// By the stored light alone; the specular lobe's reflection of it is left out where that is
-  /// traced.
-  Rgb StoredLight(const Surface& surface, bool is_traced) const;
-  Rgb SunLight(const Surface& surface, const Vec3f& to_sun) const;
-  bool FacesSun(const ShadingPoint& point) const;
-  Vec3f SunSample(int vertex_idx, PixelSampler& sampler) const;
+  /// Of sky and sun, the sun's times a weight.
+  Rgb EscapedLight(const Vec3f& direction, float sun_weight) const;
+  /// What the active surfaces reflect by stored light and sun; the specular lobe's reflection of
+  /// the stored light is left out where that is traced.
+  Rgb8 ReflectedLight(const std::array<ShadingPoint, kPacketSize>& points,
+                      const ScatterPacket& surface,
+                      uint32_t active,
+                      Mask8 is_traced,
+                      int vertex_idx,
+                      CameraPacket& packet) const;
+  Rgb8 SunLight(const ScatterPacket& surface,
+                uint32_t active,
+                int vertex_idx,
+                CameraPacket& packet) const;
+  /// What the specular lobes reflect, by a ray each.
+  Rgb8 MirroredLight(const ScatterPacket& surface, uint32_t mirroring, CameraPacket& packet) const;
 
   const RayScene& rays_;
   const SurfaceTable& surfaces_;
@@ -83,7 +72,7 @@ class CachedLightTracer {
   int max_bounces_;
   Rgb sun_irradiance_ = Rgb::Zero();
   Vec3f direction_to_sun_ = Vec3f::UnitZ();
-  float sun_cos_radius_ = 2.0F;
+  float sun_pdf_ = 0.0F;
 };
 
 }  // namespace pfseq

@@ -2,8 +2,10 @@
 #include "renderer/trace/light_gatherer.h"
 
 #include "renderer/trace/material.h"
+#include "renderer/trace/scatter_packet.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -48,6 +50,37 @@ struct Frame {
   Vec3f normal;
 };
 
+/// The directions of a packet and what each counts for the integral over the hemisphere.
+struct BundleOfRays {
+  Vec3x8 directions;
+  std::array<float, kPacketSize> weights;
+};
+
+/// Two rows of height by four columns of azimuth of a grid of n x n strata over the hemisphere.
+BundleOfRays SampleBundle(
+    const Frame& frame, int height_start, int azimuth_start, int n, RandomStream& jitter) {
+  std::array<float, kPacketSize> first;
+  std::array<float, kPacketSize> second;
+  for (int i = 0; i < kPacketSize; ++i) {
+    const auto lane = static_cast<size_t>(i);
+    first[lane] = static_cast<float>(height_start + i / 4) + static_cast<float>(jitter.Uniform());
+    second[lane] = static_cast<float>(azimuth_start + i % 4) + static_cast<float>(jitter.Uniform());
+  }
+  const float share = 1.0F / static_cast<float>(n);
+  // The inverse of the running integral of 2 pi (z + c) / (pi (1 + 2 c)) over z.
+  constexpr float kNorm = 1.0F + 2.0F * kDensityOffset;
+  const Float8 z = Min(
+      Sqrt(kDensityOffset * kDensityOffset + Float8(first) * share * kNorm) - kDensityOffset, 1.0F);
+  const Float8 radius = Sqrt(Max(1.0F - z * z, 0.0F));
+  Float8 sine;
+  Float8 cosine;
+  SinCosOfTurn(Float8(second) * share, sine, cosine);
+  const Float8 weight = std::numbers::pi_v<float> * kNorm * share * share / (z + kDensityOffset);
+  return {Normalized((radius * cosine) * Broadcast(frame.tangent) +
+                     (radius * sine) * Broadcast(frame.bitangent) + z * Broadcast(frame.normal)),
+          weight.Values()};
+}
+
 /// The scattering at a point, with the directions to and from the world's frame.
 struct Scatterer {
   Scatterer(const ShadingPoint& point, const Vec3f& direction)
@@ -86,22 +119,16 @@ bool LightGatherer::IsSmooth(const ShadingPoint& point) const {
          (point.parameters.roughness < kSmoothRoughness || point.parameters.metallic > kMetal);
 }
 
-Rgb LightGatherer::FarReflection(const ShadingPoint& point,
-                                 const Vec3f& direction,
-                                 bool is_sunlit) const {
-  Rgb irradiance = coarse_.Irradiance(point.triangle_idx, point.u, point.v, point.is_front);
-  if (is_sunlit) {
-    irradiance += sun_irradiance_ *
-                  (point.normal_length * std::max(0.0F, point.normal.dot(direction_to_sun_)));
-  }
+Rgb LightGatherer::FarReflection(const ShadingPoint& point, const Vec3f& direction) const {
+  const Rgb irradiance =
+      coarse_.Irradiance(point.triangle_idx, point.u, point.v, point.is_front) * kInversePi;
   if (point.IsLambertian()) {
-    return point.emission + point.parameters.base_color * irradiance * kInversePi;
+    return point.emission + point.parameters.base_color * irradiance;
   }
   // The specular lobe's reflection of its surroundings counts as that of their mean.
   const Scatterer scatterer(point, direction);
   return point.emission +
-         (scatterer.bsdf.DiffuseReflectance() + scatterer.bsdf.SpecularReflectance()) * irradiance *
-             kInversePi;
+         (scatterer.bsdf.DiffuseReflectance() + scatterer.bsdf.SpecularReflectance()) * irradiance;
 }
 
 Rgb LightGatherer::SmoothReflection(const ShadingPoint& point,
@@ -142,7 +169,7 @@ Rgb LightGatherer::SmoothReflection(const ShadingPoint& point,
   } else if (options_.max_bounces > 2) {
     const ShadingPoint next = ShadeWide(*hit, origin_m, mirrored);
     const Rgb sunlight = Sunlight(next, mirrored, random);
-    seen = FarReflection(next, mirrored, false) + sunlight;
+    seen = FarReflection(next, mirrored) + sunlight;
   }
   return radiance + seen * sample->weight / share;
 }
@@ -225,7 +252,7 @@ Rgb LightGatherer::PathLight(ShadingPoint point,
     if (ends_in_coarse_light && bounce + 1 < options_.max_bounces &&
         hit->distance_m >= options_.near_m && !IsSmooth(point)) {
       const Rgb sunlight = Sunlight(point, direction, random);
-      radiance += throughput * (FarReflection(point, direction, false) + sunlight);
+      radiance += throughput * (FarReflection(point, direction) + sunlight);
       break;
     }
   }
@@ -252,6 +279,46 @@ Rgb LightGatherer::CoarseIrradiance(const Vec3f& origin_m,
   return PathLight(point, direction, 2, false, random) * std::numbers::pi_v<float>;
 }
 
+LightGatherer::FarSurfaces LightGatherer::ShadeFar(
+    const std::array<ShadingPoint, kPacketSize>& points,
+    uint32_t far,
+    const RayPacket& rays,
+    RandomStream& random) const {
+  const ScatterPacket surface(points, far, rays);
+  std::array<Rgb, kPacketSize> coarse;
+  coarse.fill(Rgb::Zero());
+  for (uint32_t lanes = far; lanes != 0; lanes &= lanes - 1) {
+    const auto lane = static_cast<size_t>(std::countr_zero(lanes));
+    const ShadingPoint& point = points[lane];
+    coarse[lane] = coarse_.Irradiance(point.triangle_idx, point.u, point.v, point.is_front);
+  }
+  Rgb8 irradiance = Transposed(coarse);
+  FarSurfaces shaded;
+  if (lighting_.sun.has_value()) {
+    const Vec3x8 to_middle = Broadcast(direction_to_sun_);
+    const Float8 cosine = Dot(surface.normal, to_middle);
+    const uint32_t facing =
+        far & ((cosine > 0.0F) & (Dot(surface.geometric_normal, to_middle) > 0.0F)).Bits();
+    if (facing != 0) {
+      const auto first = static_cast<float>(random.Uniform());
+      const auto second = static_cast<float>(random.Uniform());
+      // One direction for all: that of the disc does not matter over many packets.
+      const Vec3x8 to_sun = lighting_.sun->SampleDirection(first, second);
+      shaded.sunlit = facing & ~rays_.Occluded(MakeRayPacket(surface.RayOriginM(), to_sun, facing),
+                                               Coherence::kCoherent);
+      const Rgb8 sunlight = (surface.normal_length * cosine) * Broadcast(sun_irradiance_);
+      irradiance = irradiance + Select(Mask8::FromBits(shaded.sunlit), sunlight, Rgb8{});
+    }
+  }
+  // The specular lobe's reflection of its surroundings counts as that of their mean.
+  const Rgb8 radiance =
+      surface.emission +
+      Float8(kInversePi) *
+          ((surface.DiffuseReflectance() + surface.SpecularReflectance()) * irradiance);
+  shaded.radiance = Transposed(radiance);
+  return shaded;
+}
+
 GatheredLight LightGatherer::Gather(const Vec3f& origin_m,
                                     const Vec3f& normal,
                                     uint64_t key) const {
@@ -266,39 +333,15 @@ GatheredLight LightGatherer::Gather(const Vec3f& origin_m,
     // Four neighbours in azimuth by two in height: a packet's rays go nearly the same way.
     const int azimuth_start = block % (n / 4) * 4;
     const int height_start = block / (n / 4) * 2;
-    RayPacket packet;
-    std::array<float, kPacketSize> weights;
-    for (int i = 0; i < kPacketSize; ++i) {
-      const float first =
-          (static_cast<float>(height_start + i / 4) + static_cast<float>(jitter.Uniform())) /
-          static_cast<float>(n);
-      const float second =
-          (static_cast<float>(azimuth_start + i % 4) + static_cast<float>(jitter.Uniform())) /
-          static_cast<float>(n);
-      // The inverse of the running integral of 2 pi (z + c) / (pi (1 + 2 c)) over z.
-      const float z = std::min(
-          1.0F,
-          std::sqrt(kDensityOffset * kDensityOffset + first * (1.0F + 2.0F * kDensityOffset)) -
-              kDensityOffset);
-      const float radius = std::sqrt(std::max(0.0F, 1.0F - z * z));
-      const float azimuth_rad = 2.0F * std::numbers::pi_v<float> * second;
-      packet.Set(i,
-                 origin_m,
-                 frame.ToWorld(radius * std::cos(azimuth_rad), radius * std::sin(azimuth_rad), z)
-                     .normalized());
-      weights[static_cast<size_t>(i)] = std::numbers::pi_v<float> * (1.0F + 2.0F * kDensityOffset) /
-                                        ((z + kDensityOffset) * static_cast<float>(n * n));
-    }
+    const BundleOfRays bundle = SampleBundle(frame, height_start, azimuth_start, n, jitter);
+    const RayPacket packet = MakeRayPacket(Broadcast(origin_m), bundle.directions, kAllLanes);
     HitPacket hits;
     rays_.Intersect(packet, Coherence::kCoherent, hits);
 
     std::array<ShadingPoint, kPacketSize> points;
-    RayPacket sun_rays;
     uint32_t far = 0;
-    for (int i = 0; i < kPacketSize; ++i) {
-      if (!hits.IsHit(i)) {
-        continue;
-      }
+    for (uint32_t lanes = hits.hit; lanes != 0; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
       const PacketHit hit = hits.Of(i);
       ShadingPoint& point = points[static_cast<size_t>(i)];
       point = surfaces_.Shade(hit,
@@ -307,34 +350,28 @@ GatheredLight LightGatherer::Gather(const Vec3f& origin_m,
                               spread * hit.distance_m,
                               options_.min_indirect_roughness);
       num_from_behind += point.is_front ? 0 : 1;
-      if (hit.distance_m < options_.near_m || options_.max_bounces < 2) {
-        continue;
-      }
-      far |= 1U << i;
-      if (lighting_.sun.has_value() && point.normal.dot(direction_to_sun_) > 0.0F &&
-          point.geometric_normal.dot(direction_to_sun_) > 0.0F) {
-        const double first = jitter.Uniform();
-        sun_rays.Set(i,
-                     point.RayOriginM(),
-                     lighting_.sun->SampleDirection({first, jitter.Uniform()}).cast<float>());
+      if (!(hit.distance_m < options_.near_m) && options_.max_bounces >= 2) {
+        far |= 1U << i;
       }
     }
-    const uint32_t sunlit = sun_rays.active & ~rays_.Occluded(sun_rays, Coherence::kCoherent);
+    const FarSurfaces far_surfaces =
+        far != 0 ? ShadeFar(points, far, packet, jitter) : FarSurfaces{};
     for (int i = 0; i < kPacketSize; ++i) {
+      const auto lane = static_cast<size_t>(i);
       const Vec3f direction = packet.Direction(i);
       Rgb radiance;
       if (!hits.IsHit(i)) {
         radiance = lighting_.sky.Radiance(direction);
-      } else if ((far >> i & 1U) != 0) {
-        const ShadingPoint& point = points[static_cast<size_t>(i)];
-        const bool is_sunlit = (sunlit >> i & 1U) != 0;
-        radiance = IsSmooth(point) ? SmoothReflection(point, direction, is_sunlit, jitter)
-                                   : FarReflection(point, direction, is_sunlit);
-      } else {
+      } else if ((far >> i & 1U) == 0) {
         RandomStream random({key, static_cast<uint64_t>(block * kPacketSize + i)});
-        radiance = PathLight(points[static_cast<size_t>(i)], direction, 1, true, random);
+        radiance = PathLight(points[lane], direction, 1, true, random);
+      } else if (IsSmooth(points[lane])) {
+        radiance =
+            SmoothReflection(points[lane], direction, (far_surfaces.sunlit >> i & 1U) != 0, jitter);
+      } else {
+        radiance = far_surfaces.radiance[lane];
       }
-      const Rgb weighted = radiance * weights[static_cast<size_t>(i)];
+      const Rgb weighted = radiance * bundle.weights[lane];
       const Eigen::Array4f light(weighted[0], weighted[1], weighted[2], 0.0F);
       sum.x += light * direction.x();
       sum.y += light * direction.y();

@@ -7,23 +7,12 @@
 #include "renderer/trace/lighting.h"
 #include "renderer/trace/ray_scene.h"
 #include "renderer/trace/surface_table.h"
+#include "renderer/trace/vector_irradiance.h"
+
+#include <array>
+#include <cstdint>
 
 namespace pfseq {
-
-/// Light that arrives at a point from one side, as the integral of radiance times direction over
-/// the hemisphere, for each colour channel: x, y, z of the world, each red, green, blue and unused.
-/// Its component along the hemisphere's axis is the irradiance there; along a normal tilted a
-/// little against the axis it is that of the tilted surface but for what lies below its horizon.
-struct VectorIrradiance {
-  Eigen::Array4f x = Eigen::Array4f::Zero();
-  Eigen::Array4f y = Eigen::Array4f::Zero();
-  Eigen::Array4f z = Eigen::Array4f::Zero();
-
-  /// Component along a direction.
-  Rgb Along(const Vec3f& direction) const {
-    return (x * direction.x() + y * direction.y() + z * direction.z()).head<3>();
-  }
-};
 
 struct GatheredLight {
   VectorIrradiance light;
@@ -62,7 +51,19 @@ class LightGatherer {
   int64_t MemoryBytes() const { return coarse_.MemoryBytes(); }
 
  private:
-  Rgb FarReflection(const ShadingPoint& point, const Vec3f& direction, bool is_sunlit) const;
+  /// What a packet of rays meets far off: the radiance of the surfaces, all taken as rough, and
+  /// which of them the sun reaches.
+  struct FarSurfaces {
+    std::array<Rgb, kPacketSize> radiance;
+    uint32_t sunlit = 0;
+  };
+
+  FarSurfaces ShadeFar(const std::array<ShadingPoint, kPacketSize>& points,
+                       uint32_t far,
+                       const RayPacket& rays,
+                       RandomStream& random) const;
+  /// By the coarse light alone.
+  Rgb FarReflection(const ShadingPoint& point, const Vec3f& direction) const;
   Rgb SmoothReflection(const ShadingPoint& point,
                        const Vec3f& direction,
                        bool is_sunlit,

@@ -93,6 +93,18 @@ Vec3d SunDisc::SampleDirection(const Vec2d& sample) const {
       .ToWorld({radius * std::cos(azimuth_rad), radius * std::sin(azimuth_rad), 1.0 - height});
 }
 
+Vec3x8 SunDisc::SampleDirection(Float8 first, Float8 second) const {
+  const Float8 height = first * static_cast<float>(cap_height_);
+  const Float8 radius = Sqrt(height * (2.0F - height));
+  Float8 sine;
+  Float8 cosine;
+  SinCosOfTurn(second, sine, cosine);
+  const ShadingFrame frame(direction_);
+  return (radius * cosine) * Broadcast(Vec3f(frame.tangent.cast<float>())) +
+         (radius * sine) * Broadcast(Vec3f(frame.bitangent.cast<float>())) +
+         (1.0F - height) * Broadcast(Vec3f(frame.normal.cast<float>()));
+}
+
 Sun MakeSun(const SunSpec& spec, double turbidity) {
   const double elevation_rad = RadFromDeg(spec.elevation_deg);
   const double azimuth_rad = RadFromDeg(spec.azimuth_deg);

@@ -2,6 +2,7 @@
 // What lights a scene: the sun's disc and the sky. Radiance in kcd/m^2, irradiance in klx.
 #pragma once
 
+#include "renderer/core/simd.h"
 #include "renderer/core/vector.h"
 #include "renderer/sequence/sequence_spec.h"
 #include "renderer/trace/scene.h"
@@ -23,6 +24,8 @@ class SunDisc {
 
   /// A direction uniform over the disc's solid angle, from two numbers in [0, 1).
   Vec3d SampleDirection(const Vec2d& sample) const;
+  /// The same for eight pairs of numbers, in single precision.
+  Vec3x8 SampleDirection(Float8 first, Float8 second) const;
 
   /// SampleDirection's density within the disc, by solid angle.
   double Pdf() const { return pdf_; }

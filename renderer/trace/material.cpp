@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/trace/material.h"
 
+#include "renderer/trace/ray_lift.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -222,8 +224,6 @@ std::optional<BsdfSample> SurfacePoint::Sample(double lobe_sample,
 Vec3d SurfacePoint::RayOriginM() const {
   // Float coordinates of size x are off by up to 6e-8 x each; a ray tracer in float adds a few
   // times that.
-  constexpr double kLeastLiftM = 1e-4;
-  constexpr double kRelativeLift = 1e-6;
   return position_m_ + (kLeastLiftM + kRelativeLift * coordinate_size_m_) * geometric_normal_;
 }
 

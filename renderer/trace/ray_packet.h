@@ -3,6 +3,7 @@
 // go the same way. Ground truth uses RayScene's single rays or its exact packets.
 #pragma once
 
+#include "renderer/core/simd.h"
 #include "renderer/core/vector.h"
 
 #include <array>
@@ -10,7 +11,8 @@
 
 namespace pfseq {
 
-inline constexpr int kPacketSize = 8;
+inline constexpr int kPacketSize = kSimdWidth;
+inline constexpr uint32_t kAllLanes = (1U << kPacketSize) - 1U;
 
 /// Rays from origins along unit directions. Bit i of `active` says whether ray i is traced.
 struct RayPacket {
@@ -42,6 +44,16 @@ struct RayPacket {
     return {direction_x[lane], direction_y[lane], direction_z[lane]};
   }
 };
+
+inline RayPacket MakeRayPacket(const Vec3x8& origins_m, const Vec3x8& directions, uint32_t active) {
+  return {origins_m.x.Values(),
+          origins_m.y.Values(),
+          origins_m.z.Values(),
+          directions.x.Values(),
+          directions.y.Values(),
+          directions.z.Values(),
+          active};
+}
 
 /// Where one ray of a packet meets the scene, in the ray tracer's float arithmetic.
 struct PacketHit {

@@ -56,6 +56,40 @@ struct Cell {
   double weight;
 };
 
+/// The same for eight values.
+struct Cell8 {
+  Cell8(Float8 value, int num_nodes) {
+    const auto num_cells = static_cast<float>(num_nodes - 1);
+    const Float8 position = Max(Min(value, 1.0F), 0.0F) * num_cells;
+    index = _mm256_cvttps_epi32(Min(position, num_cells - 1.0F).Register());
+    weight = position - Float8(_mm256_cvtepi32_ps(index));
+  }
+  __m256i index;
+  Float8 weight;
+};
+
+std::vector<float> InTurn(const std::vector<Scales>& entries) {
+  std::vector<float> values;
+  for (const Scales& entry : entries) {
+    values.push_back(static_cast<float>(entry.f0_scale));
+    values.push_back(static_cast<float>(entry.f90_scale));
+  }
+  return values;
+}
+
+SpecularAlbedo::Scales8 Entries(const float* values, __m256i index) {
+  constexpr int kBytesAnEntry = 2 * sizeof(float);
+  return {Float8(_mm256_i32gather_ps(values, index, kBytesAnEntry)),
+          Float8(_mm256_i32gather_ps(values + 1, index, kBytesAnEntry))};
+}
+
+SpecularAlbedo::Scales8 Mix(const SpecularAlbedo::Scales8& first,
+                            const SpecularAlbedo::Scales8& second,
+                            Float8 second_weight) {
+  return {first.f0_scale + (second.f0_scale - first.f0_scale) * second_weight,
+          first.f90_scale + (second.f90_scale - first.f90_scale) * second_weight};
+}
+
 }  // namespace
 
 SpecularAlbedo::SpecularAlbedo()
@@ -81,6 +115,8 @@ SpecularAlbedo::SpecularAlbedo()
           low_weight * low.f90_scale + high_weight * high.f90_scale;
     }
   }
+  directional_f_ = InTurn(directional_);
+  mean_f_ = InTurn(mean_);
 }
 
 const SpecularAlbedo& SpecularAlbedo::Table() {
@@ -101,6 +137,23 @@ Scales SpecularAlbedo::Mean(double roughness) const {
   const Cell r(roughness, kNumRoughnesses);
   return Mix(
       mean_[static_cast<size_t>(r.index)], mean_[static_cast<size_t>(r.index) + 1], r.weight);
+}
+
+SpecularAlbedo::Scales8 SpecularAlbedo::Directional(Float8 cosine, Float8 roughness) const {
+  const Cell8 c(cosine, kNumCosines);
+  const Cell8 r(roughness, kNumRoughnesses);
+  const __m256i index =
+      _mm256_add_epi32(_mm256_mullo_epi32(r.index, _mm256_set1_epi32(kNumCosines)), c.index);
+  const float* row = directional_f_.data();
+  const float* next_row = row + ptrdiff_t{2} * kNumCosines;
+  return Mix(Mix(Entries(row, index), Entries(row + 2, index), c.weight),
+             Mix(Entries(next_row, index), Entries(next_row + 2, index), c.weight),
+             r.weight);
+}
+
+SpecularAlbedo::Scales8 SpecularAlbedo::Mean(Float8 roughness) const {
+  const Cell8 r(roughness, kNumRoughnesses);
+  return Mix(Entries(mean_f_.data(), r.index), Entries(mean_f_.data() + 2, r.index), r.weight);
 }
 
 }  // namespace pfseq

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "renderer/core/simd.h"
+
 #include <vector>
 
 namespace pfseq {
@@ -15,6 +17,12 @@ class SpecularAlbedo {
     double f90_scale = 0.0;
   };
 
+  /// Of eight directions or roughnesses.
+  struct Scales8 {
+    Float8 f0_scale;
+    Float8 f90_scale;
+  };
+
   SpecularAlbedo();
 
   /// The one table that all share; it is made at the first call and never changes.
@@ -27,9 +35,16 @@ class SpecularAlbedo {
   /// The mean over all directions, weighted with the cosine.
   Scales Mean(double roughness) const;
 
+  /// The same in single precision.
+  Scales8 Directional(Float8 cosine, Float8 roughness) const;
+  Scales8 Mean(Float8 roughness) const;
+
  private:
   std::vector<Scales> directional_;
   std::vector<Scales> mean_;
+  /// f0_scale and f90_scale of each entry in turn.
+  std::vector<float> directional_f_;
+  std::vector<float> mean_f_;
 };
 
 }  // namespace pfseq

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/trace/surface_table.h"
 
+#include "renderer/trace/ray_lift.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,11 +22,9 @@ Vec2f AsVector(const std::array<float, 2>& values) { return {values[0], values[1
 }  // namespace
 
 Vec3f ShadingPoint::RayOriginM() const {
-  // As SurfacePoint::RayOriginM.
-  constexpr float kLeastLiftM = 1e-4F;
-  constexpr float kRelativeLift = 1e-6F;
-  return position_m +
-         (kLeastLiftM + kRelativeLift * position_m.cwiseAbs().maxCoeff()) * geometric_normal;
+  const float lift_m = static_cast<float>(kLeastLiftM) +
+                       static_cast<float>(kRelativeLift) * position_m.cwiseAbs().maxCoeff();
+  return position_m + lift_m * geometric_normal;
 }
 
 SurfaceTable::SurfaceTable(const Scene& scene, const TextureSet& textures)

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight lanes in single precision against the scattering model in double.
+#include "renderer/trace/scatter_packet.h"
+
+#include "renderer/core/random.h"
+#include "renderer/trace/material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace pfseq {
+namespace {
+
+constexpr uint32_t kActive = 0b11011111;
+
+Vec3d RandomDirection(RandomStream& random) {
+  Vec3d direction;
+  do {
+    const double x = 2.0 * random.Uniform() - 1.0;
+    const double y = 2.0 * random.Uniform() - 1.0;
+    direction = {x, y, 2.0 * random.Uniform() - 1.0};
+  } while (direction.norm() < 0.1);
+  return direction.normalized();
+}
+
+/// One not less than this above the plane of the normal.
+Vec3d RandomDirectionAbove(const Vec3d& normal, double cosine, RandomStream& random) {
+  for (;;) {
+    const Vec3d direction = RandomDirection(random);
+    if (direction.dot(normal) > cosine) {
+      return direction;
+    }
+  }
+}
+
+/// Eight random surfaces seen from random sides; lane 5 is not active, lanes 0 and 1 are
+/// Lambertian and a metal.
+struct RandomPacket {
+  explicit RandomPacket(uint64_t seed) {
+    RandomStream random(seed);
+    rays.active = kActive;
+    for (int i = 0; i < kPacketSize; ++i) {
+      ShadingPoint& point = points[static_cast<size_t>(i)];
+      const Vec3d normal = RandomDirection(random);
+      point.normal = normal.cast<float>();
+      point.geometric_normal = point.normal;
+      point.position_m = Vec3f(1.0F, -200.0F, 30.0F) * static_cast<float>(random.Uniform());
+      point.normal_length = 0.9F;
+      point.emission = Rgb::Constant(static_cast<float>(i));
+      point.parameters.base_color = Rgb(0.9F, 0.5F, 0.2F) * static_cast<float>(random.Uniform());
+      point.parameters.roughness = static_cast<float>(random.Uniform());
+      point.parameters.metallic = i == 1 ? 1.0F : 0.3F * static_cast<float>(random.Uniform());
+      if (i == 0) {
+        point.parameters.metallic = 0.0F;
+        point.parameters.ior = 1.0F;
+      }
+      const Vec3d to_viewer = RandomDirectionAbove(normal, 0.05, random);
+      rays.Set(i, point.position_m, Vec3f(-to_viewer.cast<float>()));
+    }
+    rays.active = kActive;
+  }
+
+  ScatterPacket Scatter() const { return {points, kActive, rays}; }
+
+  Vec3d Normal(size_t lane) const { return points[lane].normal.cast<double>().normalized(); }
+  /// The same in double.
+  Bsdf BsdfOf(size_t lane) const {
+    const ShadingFrame frame(Normal(lane));
+    return {points[lane].parameters,
+            frame.ToLocal(-rays.Direction(static_cast<int>(lane)).cast<double>().normalized())};
+  }
+
+  std::array<ShadingPoint, kPacketSize> points;
+  RayPacket rays;
+};
+
+void ExpectNear(const Rgb& value, const Rgb& expected, float tolerance) {
+  EXPECT_LE((value - expected).abs().maxCoeff(), tolerance * std::max(1.0F, expected.maxCoeff()))
+      << value.transpose() << " instead of " << expected.transpose();
+}
+
+class ScatterPacketOf : public testing::TestWithParam<uint64_t> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, ScatterPacketOf, testing::Range<uint64_t>(0, 20));
+
+TEST_P(ScatterPacketOf, ReflectancesAreTheModels) {
+  const RandomPacket packet(GetParam());
+  const ScatterPacket scatter = packet.Scatter();
+  const std::array<Rgb, kPacketSize> diffuse = Transposed(scatter.DiffuseReflectance());
+  const std::array<Rgb, kPacketSize> specular = Transposed(scatter.SpecularReflectance());
+  const std::array<Rgb, kPacketSize> emission = Transposed(scatter.emission);
+  for (const size_t lane : {0U, 1U, 2U, 3U, 4U, 6U, 7U}) {
+    const Bsdf bsdf = packet.BsdfOf(lane);
+    ExpectNear(diffuse[lane], bsdf.DiffuseReflectance(), 1e-5F);
+    ExpectNear(specular[lane], bsdf.SpecularReflectance(), 1e-5F);
+    EXPECT_EQ(emission[lane][0], static_cast<float>(lane));
+  }
+  EXPECT_EQ(scatter.is_specular.Bits() & kActive, kActive & ~1U);
+}
+
+TEST_P(ScatterPacketOf, ValuesAreTheModels) {
+  const RandomPacket packet(GetParam());
+  const ScatterPacket scatter = packet.Scatter();
+  RandomStream random(GetParam() + 1000);
+  for (int i = 0; i < 20; ++i) {
+    const Vec3d to_light = RandomDirection(random);
+    const Vec3x8 to_light8 = Broadcast(Vec3f(to_light.cast<float>()));
+    const std::array<Rgb, kPacketSize> diffuse = Transposed(scatter.EvaluateDiffuse(to_light8));
+    const ScatterPacket::Specular specular = scatter.EvaluateSpecular(to_light8);
+    const std::array<Rgb, kPacketSize> values = Transposed(specular.value_cosine);
+    for (const size_t lane : {0U, 1U, 2U, 3U, 4U, 6U, 7U}) {
+      const Bsdf bsdf = packet.BsdfOf(lane);
+      const Vec3d local = ShadingFrame(packet.Normal(lane)).ToLocal(to_light);
+      ExpectNear(diffuse[lane], bsdf.EvaluateDiffuse(local), 1e-5F);
+      const BsdfValue expected = bsdf.EvaluateSpecular(local);
+      ExpectNear(values[lane], expected.value_cosine, 2e-4F);
+      EXPECT_NEAR(specular.pdf.Values()[lane], expected.pdf, 2e-4 * std::max(1.0, expected.pdf));
+    }
+  }
+}
+
+TEST_P(ScatterPacketOf, SamplesAreTheModels) {
+  const RandomPacket packet(GetParam());
+  const ScatterPacket scatter = packet.Scatter();
+  RandomStream random(GetParam() + 2000);
+  for (int i = 0; i < 20; ++i) {
+    const double first = static_cast<float>(random.Uniform());
+    const double second = static_cast<float>(random.Uniform());
+    const ScatterPacket::SpecularSample sample =
+        scatter.SampleSpecular(static_cast<float>(first), static_cast<float>(second));
+    const std::array<Rgb, kPacketSize> weights = Transposed(sample.weight);
+    EXPECT_EQ(sample.is_valid.Bits() & 1U, 0U) << "a Lambertian surface has no lobe";
+    for (const size_t lane : {1U, 2U, 3U, 4U, 6U, 7U}) {
+      const std::optional<BsdfSample> expected =
+          packet.BsdfOf(lane).SampleSpecular({first, second});
+      const bool is_valid = (sample.is_valid.Bits() >> lane & 1U) != 0;
+      const Vec3f to_light(sample.to_light.x.Values()[lane],
+                           sample.to_light.y.Values()[lane],
+                           sample.to_light.z.Values()[lane]);
+      if (!expected.has_value() || !is_valid) {
+        // Both agree but where the direction grazes the surface.
+        EXPECT_TRUE(expected.has_value() == is_valid ||
+                    std::abs(to_light.dot(packet.points[lane].normal)) < 1e-4F);
+        continue;
+      }
+      const Vec3d world = ShadingFrame(packet.Normal(lane)).ToWorld(expected->to_light);
+      EXPECT_LT((to_light.cast<double>() - world).norm(), 1e-4);
+      ExpectNear(weights[lane], expected->weight, 1e-3F);
+      EXPECT_NEAR(sample.pdf.Values()[lane] / expected->pdf, 1.0, 0.01);
+    }
+  }
+}
+
+TEST_P(ScatterPacketOf, RaysStartWhereTheSingleOnesDo) {
+  const RandomPacket packet(GetParam());
+  const Vec3x8 origins_m = packet.Scatter().RayOriginM();
+  for (const size_t lane : {0U, 1U, 2U, 3U, 4U, 6U, 7U}) {
+    const Vec3f origin_m(
+        origins_m.x.Values()[lane], origins_m.y.Values()[lane], origins_m.z.Values()[lane]);
+    EXPECT_EQ(origin_m, packet.points[lane].RayOriginM());
+  }
+}
+
+TEST(ScatterPacket, DirectionsBelowTheTriangleAreNoSamples) {
+  RandomPacket packet(3);
+  for (ShadingPoint& point : packet.points) {
+    point.geometric_normal = -point.normal;
+  }
+  EXPECT_EQ(packet.Scatter().SampleSpecular(0.3F, 0.2F).is_valid.Bits() & kActive, 0U);
+}
+
+}  // namespace
+}  // namespace pfseq
