@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Skylight and indirect light, computed once and kept on the surfaces of a scene. Each side of each
-// triangle has a grid of records that needs nothing of the scene but its triangles: rows from the
-// vertex opposite the shortest edge to that edge, each row with as many cells as it is long. Two
-// neighbours in a mesh that make up a parallelogram share one grid of rows of the same length. A
-// record belongs to one side of one such face, so that no light leaks round an edge; what it holds
-// depends on the scene and its place alone, so that it is the same whoever asks first. Records
-// that lie within a body, where faces run into each other, are told by what they see and count
-// only where there is no other.
+// triangle has a grid of records (RecordGrid) that needs nothing of the scene but its triangles;
+// two neighbours in a mesh that make up a parallelogram share one. A record belongs to one side of
+// one such face, so that no light leaks round an edge; what it holds depends on the scene and its
+// place alone, so that it is the same whoever asks first. Records that lie within a body, where
+// faces run into each other, are told by what they see and count only where there is no other.
 #pragma once
 
 #include "renderer/core/progress.h"
 #include "renderer/core/vector.h"
 #include "renderer/trace/light_gatherer.h"
+#include "renderer/trace/record_grid.h"
 #include "renderer/trace/surface_table.h"
 
 #include <array>
@@ -87,59 +86,33 @@ class LightStore {
     std::array<Record, kRecordsPerPage> records;
   };
   /// The grid of a triangle or parallelogram and the pages of its two sides.
-  struct Grid {
-    bool is_quad = false;
-    /// The vertex that the rows start from; of a parallelogram, the first triangle's vertex that
-    /// is not on the diagonal, and the second's.
-    uint8_t apex = 0;
-    uint8_t second_apex = 0;
-    /// Of a parallelogram: whether its rows follow each other along the edge from the apex to the
-    /// last vertex of the first triangle, not to the next.
-    bool is_turned = false;
-    /// 0: one record stands for the whole face.
-    uint16_t num_rows = 0;
-    uint32_t num_records = 0;
+  struct Face {
+    RecordGrid grid;
     uint32_t num_pages = 0;
-    /// First record of each row, and the end.
-    std::unique_ptr<uint32_t[]> row_start;
     std::unique_ptr<std::atomic<Page*>[]> pages;
   };
-  /// A place on a face: share of the way along the rows, and across them.
-  struct FacePoint {
-    float along;
-    float across;
-  };
-  /// The records around a point and their weights.
-  struct Stencil {
-    std::array<uint32_t, 4> records{};
-    std::array<float, 4> weights{};
-    int count = 0;
-  };
 
-  Grid& GridOf(uint32_t triangle_idx);
-  std::unique_ptr<Grid> MakeGrid(uint32_t face_idx) const;
+  Face& FaceAt(uint32_t face_idx);
+  std::unique_ptr<Face> MakeFace(uint32_t face_idx) const;
   float SpacingAt(const Vec3f& centre_m, float size_m) const;
   /// The triangle that names the face that a triangle belongs to.
   uint32_t FaceOf(uint32_t triangle_idx) const {
     return is_second_[triangle_idx] != 0 ? triangle_idx - 1 : triangle_idx;
   }
   void FindParallelograms();
-  static FacePoint FacePointAt(const Grid& grid, bool is_second, float u, float v);
-  static Stencil StencilAt(const Grid& grid, const FacePoint& place);
   /// Null when the store is full and the record's page not there.
-  Record* RecordAt(Grid& grid, bool is_front, uint32_t record_idx);
-  Record ComputeRecord(const Grid& grid, const RecordId& id) const;
-  Vec3f RecordPositionM(uint32_t face_idx, const Grid& grid, uint32_t record_idx) const;
+  Record* RecordAt(Face& face, bool is_front, uint32_t record_idx);
+  Record ComputeRecord(const Face& face, const RecordId& id) const;
   void Publish(const Record& computed, Record& record);
 
   const SurfaceTable& surfaces_;
   const LightGatherer& gatherer_;
   LightStoreOptions options_;
-  std::vector<std::atomic<Grid*>> grids_;
+  std::vector<std::atomic<Face*>> faces_;
   /// 1 for the second triangle of a parallelogram, which the one before begins.
   std::vector<uint8_t> is_second_;
   std::mutex allocation_mutex_;
-  std::vector<std::unique_ptr<Grid>> owned_grids_;
+  std::vector<std::unique_ptr<Face>> owned_faces_;
   std::vector<std::unique_ptr<Page>> owned_pages_;
   std::atomic<int64_t> num_records_{0};
 };
