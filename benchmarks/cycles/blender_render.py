@@ -10,6 +10,7 @@ JOB.json (cycles_job.py writes it) names everything; nothing is left to Blender'
     linear_textures        true: colour textures are decoded to linear floats first; else Cycles interpolates encoded 8-bit
                            texels and decodes what comes out
     image_size_px, num_threads, max_bounces, adaptive
+    clamp_indirect, blur_glossy   Cycles' settings of these names
     sun                    direction (unit, towards it), irradiance (RGB, on a surface that faces it), angle_rad (diameter)
     sky_radiance           RGB
     renders                list of: out (EXR file), kind ("radiance" or "distance"), world_from_camera (4 x 4), lens (values
@@ -164,8 +165,8 @@ def set_up_cycles(scene, job):
     cycles.glossy_bounces = job["max_bounces"]
     cycles.transmission_bounces = job["max_bounces"]
     cycles.sample_clamp_direct = 0.0
-    cycles.sample_clamp_indirect = 0.0
-    cycles.blur_glossy = 0.0
+    cycles.sample_clamp_indirect = job["clamp_indirect"]
+    cycles.blur_glossy = job["blur_glossy"]
     cycles.light_sampling_threshold = 0.0
     cycles.film_exposure = 1.0
     scene.view_layers[0].use_pass_combined = True

@@ -101,7 +101,8 @@ def parse_arguments():
                         help="lenses, equidistant or equisolid ones, a row each (default: equisolid)")
     parser.add_argument("--materials", choices=["lambertian", "untextured", "all"], default="lambertian",
                         help="lambertian: base colours alone, as Diffuse BSDF in Cycles; untextured: one colour each; all: as "
-                        "they are, Principled BSDF in Cycles (default: lambertian)")
+                        "they are, Principled BSDF in Cycles, with Blender's default clamping of indirect light and filter of "
+                        "glossy paths (default: lambertian)")
     parser.add_argument("--light", choices=["cached", "path"], default="cached",
                         help="pfseq's render.light for the measured runs (default: cached)")
     parser.add_argument("--spp-list", type=int_list(1, 1_000_000), default=[16, 64, 256], metavar="N,N,...",

@@ -43,6 +43,11 @@ class CyclesOptions:
     linear_textures: bool = False
 
 
+# Blender's defaults (3.4), without which sunlight thrown by panes drowns everything else in Cycles' noise; Lambertian
+# surfaces throw none.
+GLOSSY_DEFAULTS = {"clamp_indirect": 10.0, "blur_glossy": 1.0}
+
+
 def make_job(folder, scene_path, options, renders):
     """`renders` is a list of make_render's results."""
     sun = folder.sun()
@@ -54,6 +59,7 @@ def make_job(folder, scene_path, options, renders):
         "num_threads": options.num_threads,
         "max_bounces": cycles_bounces(folder.description["render"]["max_bounces"]),
         "adaptive": options.adaptive,
+        **(GLOSSY_DEFAULTS if options.materials == "all" else dict.fromkeys(GLOSSY_DEFAULTS, 0.0)),
         "sun": {"direction": list(sun.direction), "irradiance": list(sun.irradiance), "angle_rad": sun.angle_rad},
         "sky_radiance": folder.sky_radiance(),
         "renders": renders,
