@@ -153,6 +153,22 @@ TEST(LightGatherer, SunlitGroundLightsWhatFacesIt) {
   }
 }
 
+TEST(LightGatherer, ShadedGroundLightsNothing) {
+  // A black canopy keeps the sun off the white ground that the point sees.
+  Mesh canopy = FloorMesh(10.0F, 1);
+  for (Vec3f& position_m : canopy.positions_m) {
+    position_m.z() = 5.0F;
+  }
+  for (const float near_m : {kNothing_m, kEverything_m}) {
+    const LitScene lit(SceneOf({FloorMesh(3.0F, 0), canopy},
+                               {LambertianMaterial(Rgb::Ones()), LambertianMaterial(Rgb::Zero())}),
+                       SunAndConstantSky({0.1, 0.0, 1.0}, Rgb::Constant(100.0F), Rgb::Zero()),
+                       Options(6, near_m));
+    const VectorIrradiance light = MeanLight(lit, {0.0F, 0.0F, 2.0F}, -Vec3f::UnitZ());
+    EXPECT_EQ(light.z[0], 0.0F) << near_m;
+  }
+}
+
 TEST(LightGatherer, GlossyWhiteWallsReflectAsMuchAsMattOnes) {
   // Of a uniform surrounding a white dielectric returns what it gets, whatever its roughness.
   for (const float roughness : {0.2F, 0.6F}) {
