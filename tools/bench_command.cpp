@@ -6,6 +6,7 @@
 #include "validator/benchmark/benchmark.h"
 #include "validator/benchmark/results_writer.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -39,7 +40,7 @@ struct BenchFlags {
   std::vector<std::string> settings;
   std::vector<std::string> cameras;
   std::string judge = "ray";
-  std::string shard = "1/1";
+  std::string shard = "0/1";
   bool has_pictures = false;
   bool is_list = false;
   BenchmarkOptions options;
@@ -67,16 +68,15 @@ void List(const Grid& grid) {
   fmt::print("\n{}", GridSummary(grid));
 }
 
-/// "I/N" with 1 <= I <= N.
+/// "I/N" with 0 <= I < N, as for rendering.
 void ReadShard(const std::string& text, BenchmarkOptions& options) {
-  const size_t slash = text.find('/');
-  const auto number = [](const std::string& part) { return ParseNumber<int>(part).value_or(0); };
-  const int shard = slash == std::string::npos ? 0 : number(text.substr(0, slash));
-  const int count = slash == std::string::npos ? 0 : number(text.substr(slash + 1));
-  if (shard < 1 || count < shard) {
-    throw InputError("--shard {}: expected I/N with 1 <= I <= N", text);
+  const size_t slash = std::min(text.find('/'), text.size());
+  const int shard = ParseNumber<int>(text.substr(0, slash)).value_or(-1);
+  const int count = ParseNumber<int>(text.substr(std::min(slash + 1, text.size()))).value_or(0);
+  if (shard < 0 || count <= shard) {
+    throw InputError("--shard {}: expected I/N with I from 0 to N - 1", text);
   }
-  options.shard = shard - 1;
+  options.shard = shard;
   options.num_shards = count;
 }
 
@@ -152,7 +152,7 @@ void AddBenchCommand(CLI::App& app) {
   command->add_option("--seed", options.seed, "Of the confidence intervals' random numbers")
       ->capture_default_str();
   command->add_flag("--resume", options.resume, "Takes finished stages from RESULTS/stages");
-  command->add_option("--shard", flags->shard, "Share I of N of the work, into RESULTS/stages")
+  command->add_option("--shard", flags->shard, "I/N: each N-th unit of work, starting with I, into RESULTS/stages")
       ->capture_default_str();
   command->add_flag("--pictures", flags->has_pictures, "Pictures of all matches");
   AddRunFlags(*command, flags->run);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses FREAK's 512 pairs on images and writes validator/features/freak_pairs.cpp to standard
 // output.
-// Usage: pfseq_freak_pairs "where the images come from" IMAGE...
+// Usage: choose_freak_pairs "where the images come from" IMAGE...
 #include "renderer/core/image.h"
 #include "renderer/sequence/image_io.h"
 #include "validator/features/freak_training.h"
@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     const std::string provenance = argc > 1 ? argv[1] : "";
     fmt::print("{}", pfseq::FreakPairsSource(pfseq::ChooseFreakPairs(images), provenance));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "pfseq_freak_pairs: {}\n", error.what());
+    fmt::print(stderr, "choose_freak_pairs: {}\n", error.what());
     return 2;
   }
   return 0;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 #include <opencv2/core/utility.hpp>
@@ -35,6 +36,7 @@ class OpenCvThreads {
 
 struct UnitPlan {
   size_t pair_idx = 0;
+  /// Families come first, then imported features.
   size_t family_idx = 0;
   /// Roughly how long it takes, in units of a small one.
   uint64_t effort = 1;
@@ -70,6 +72,9 @@ std::vector<UnitPlan> PlanUnits(const Grid& grid,
     for (size_t family = 0; family < families.size(); ++family) {
       plan.push_back({pair, family, EffortOf(grid, families[family])});
     }
+    for (size_t i = 0; i < grid.imported.size(); ++i) {
+      plan.push_back({pair, families.size() + i, 1});
+    }
     std::stable_sort(plan.begin() + static_cast<std::ptrdiff_t>(begin),
                      plan.end(),
                      [](const UnitPlan& a, const UnitPlan& b) { return a.effort > b.effort; });
@@ -84,17 +89,22 @@ void Collect(const Grid& grid,
              std::vector<UnitResult>& units,
              BenchmarkResults& results) {
   for (size_t pair = 0; pair < results.pairs.size(); ++pair) {
-    std::vector<std::vector<SettingResult>*> of_detector(grid.detectors.size(), nullptr);
+    std::vector<std::vector<SettingResult>*> of_detector(
+        grid.detectors.size() + grid.imported.size(), nullptr);
     for (size_t i = 0; i < plan.size(); ++i) {
       if (plan[i].pair_idx == pair) {
+        const size_t family = plan[i].family_idx;
         for (size_t member = 0; member < units[i].of_members.size(); ++member) {
-          of_detector[families[plan[i].family_idx][member]] = &units[i].of_members[member];
+          of_detector[family < families.size() ? families[family][member]
+                                               : grid.detectors.size() + family - families.size()] =
+              &units[i].of_members[member];
         }
         results.times.insert(results.times.end(), units[i].times.begin(), units[i].times.end());
       }
     }
     for (size_t i = 0; i < of_detector.size(); ++i) {
-      if (of_detector[i] != nullptr && grid.detectors[i].is_reported) {
+      if (of_detector[i] != nullptr &&
+          (i >= grid.detectors.size() || grid.detectors[i].is_reported)) {
         results.settings.push_back(std::move(of_detector[i]->front()));
       }
     }
@@ -153,7 +163,8 @@ BenchmarkResults RunBenchmark(const ViewSource& source,
   const std::vector<Family> families = FamiliesOf(grid);
   std::vector<UnitPlan> plan;
   for (const UnitPlan& unit : PlanUnits(grid, families, results.pairs.size())) {
-    const size_t number = unit.pair_idx * families.size() + unit.family_idx;
+    const size_t number =
+        unit.pair_idx * (families.size() + grid.imported.size()) + unit.family_idx;
     if (static_cast<int>(number % static_cast<size_t>(options.num_shards)) == options.shard) {
       plan.push_back(unit);
     }
@@ -167,11 +178,18 @@ BenchmarkResults RunBenchmark(const ViewSource& source,
   std::vector<UnitResult> units(plan.size());
   InOrder(plan.size(), options.num_threads, [&](size_t i) {
     const UnitPlan& unit = plan[i];
-    const Family& family = families[unit.family_idx];
-    progress.SetDetail(fmt::format("pair {}, {}",
-                                   results.pairs[unit.pair_idx].label,
-                                   grid.detectors[family.front()].detector.Name()));
-    units[i] = RunUnit(context, results.pairs[unit.pair_idx], unit.pair_idx, family);
+    const PairOfViews& pair = results.pairs[unit.pair_idx];
+    const bool is_imported = unit.family_idx >= families.size();
+    if (is_imported) {
+      const ImportedSetting& setting = grid.imported[unit.family_idx - families.size()];
+      progress.SetDetail(fmt::format("pair {}, {}", pair.label, setting.name));
+      units[i] = RunImportedUnit(context, pair, unit.pair_idx, setting);
+    } else {
+      const Family& family = families[unit.family_idx];
+      progress.SetDetail(
+          fmt::format("pair {}, {}", pair.label, grid.detectors[family.front()].detector.Name()));
+      units[i] = RunUnit(context, pair, unit.pair_idx, family);
+    }
     progress.Advance(unit.effort);
   });
   progress.Finish();

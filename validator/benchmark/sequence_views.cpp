@@ -5,6 +5,7 @@
 #include "renderer/core/parse_number.h"
 #include "renderer/sequence/image_io.h"
 #include "scenes/gltf/gltf_reader.h"
+#include "validator/benchmark/dataset_views.h"
 
 #include <algorithm>
 
@@ -19,6 +20,9 @@ constexpr const char* kVariants[] = {"realistic", "clean"};
 }  // namespace
 
 std::unique_ptr<ViewSource> OpenViews(const std::filesystem::path& path) {
+  if (std::filesystem::is_regular_file(path)) {
+    return std::make_unique<DatasetViews>(path);
+  }
   return std::make_unique<SequenceViews>(path);
 }
 

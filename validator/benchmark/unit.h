@@ -92,6 +92,13 @@ UnitResult RunUnit(const BenchmarkContext& context,
                    size_t pair_idx,
                    const Family& family);
 
+/// The same of features made elsewhere (imported_features.h). InputError when a file is missing or
+/// wrong.
+UnitResult RunImportedUnit(const BenchmarkContext& context,
+                           const PairOfViews& pair,
+                           size_t pair_idx,
+                           const ImportedSetting& setting);
+
 /// A view's key points of a family that lie within the lens's field.
 struct DetectedView {
   FamilyKeyPoints family;

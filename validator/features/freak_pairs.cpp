@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Written by tools/freak_pairs: 12121 key points, correlation below 0.62.
+// Written by choose_freak_pairs (tools/freak_pairs): 12121 key points, correlation below 0.62.
 // Images: frames 8 and 30 of data/sequences/pfseq.yaml with scene.canyon.seed=7, image.size_px=600
 // (see data/README.md)
 #include "validator/features/freak.h"

@@ -121,7 +121,7 @@ FreakTraining ChooseFreakPairs(const std::vector<Image<uint8_t>>& images) {
 std::string FreakPairsSource(const FreakTraining& training, const std::string& provenance) {
   std::string text = fmt::format(
       "// SPDX-License-Identifier: Apache-2.0\n"
-      "// Written by tools/freak_pairs: {} key points, correlation below {:.2f}.\n"
+      "// Written by choose_freak_pairs (tools/freak_pairs): {} key points, correlation below {:.2f}.\n"
       "// Images: {}\n"
       "#include \"validator/features/freak.h\"\n\nnamespace pfseq {{\n\n// clang-format off\n"
       "const std::array<FreakPair, kNumFreakPairs> kFreakPairs = {{{{\n",

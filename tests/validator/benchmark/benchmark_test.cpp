@@ -57,9 +57,9 @@ Grid SeveralSettings() {
   return grid;
 }
 
-BenchmarkResults Run(const std::filesystem::path& folder,
-                     const BenchmarkOptions& options = Quiet(),
-                     const std::vector<std::string>& names = {kTriplet}) {
+BenchmarkResults RunOn(const std::filesystem::path& folder,
+                       const BenchmarkOptions& options = Quiet(),
+                       const std::vector<std::string>& names = {kTriplet}) {
   return RunBenchmark(*OpenViews(folder), Grid::FromNames(names), options);
 }
 
@@ -83,7 +83,7 @@ TEST(Benchmark, ACameraAgainstItselfRepeatsAllButTheSky) {
   for (const Judge judge : {Judge::kRay, Judge::kMap}) {
     BenchmarkOptions options = Quiet();
     options.judge = judge;
-    const BenchmarkResults results = Run(folder.Path(), options);
+    const BenchmarkResults results = RunOn(folder.Path(), options);
     const double num_first = Value(results, kSift, "detections_first", 0);
     EXPECT_GT(num_first, 200.0);
     EXPECT_EQ(num_first, Value(results, kSift, "detections_second", 0));
@@ -105,7 +105,7 @@ TEST(Benchmark, PolarKeyPointsComeBackToTheirPlaces) {
   const TempFolder folder;
   sequence.Write(folder.Path());
   const BenchmarkResults results =
-      Run(folder.Path(), Quiet(), {"SIFT pol 0.02 10.0 1.6 SIFT BruteForce"});
+      RunOn(folder.Path(), Quiet(), {"SIFT pol 0.02 10.0 1.6 SIFT BruteForce"});
   EXPECT_GT(Value(results, "SIFT pol 0.02 10.0 1.6", "repeatability", 11), 0.6);
   EXPECT_GT(Value(results, "SIFT pol 0.02 10.0 1.6 SIFT BruteForce", "matching_score", 11), 0.5);
 }
@@ -154,12 +154,12 @@ TEST(Benchmark, StagesOfOtherImagesAreNotTaken) {
   BenchmarkOptions options = Quiet();
   options.stages = stages.Path();
   options.resume = true;
-  const std::string before = TextOf(Run(folder.Path(), options));
+  const std::string before = TextOf(RunOn(folder.Path(), options));
   SwapFiles(ViewPath(folder.Path(), "equidistant", "front", Output::kClean, 1),
             ViewPath(folder.Path(), "equidistant", "rear", Output::kClean, 1));
-  const std::string after = TextOf(Run(folder.Path(), options));
+  const std::string after = TextOf(RunOn(folder.Path(), options));
   EXPECT_NE(before, after);
-  EXPECT_EQ(after, TextOf(Run(folder.Path())));
+  EXPECT_EQ(after, TextOf(RunOn(folder.Path())));
 }
 
 /// The matching score at 5 cm on the yard with something wrong.
@@ -170,7 +170,7 @@ double ScoreWith(const std::function<void(TestSequence&, const std::filesystem::
   damage(sequence, folder.Path());
   BenchmarkOptions options = Quiet();
   options.judge = Judge::kMap;
-  return Value(Run(folder.Path(), options), kTriplet, "matching_score", 5);
+  return Value(RunOn(folder.Path(), options), kTriplet, "matching_score", 5);
 }
 
 TEST(Benchmark, AFlippedAxisAHalfPixelShiftAndASwappedPairChangeTheScores) {
@@ -230,7 +230,7 @@ class BenchmarkSelection : public testing::Test {
 
   std::vector<std::string> Labels(const BenchmarkOptions& options) const {
     std::vector<std::string> labels;
-    for (const PairOfViews& pair : Run(folder_.Path(), options).pairs) {
+    for (const PairOfViews& pair : RunOn(folder_.Path(), options).pairs) {
       labels.push_back(pair.lens.substr(0, 5) + " " + pair.label);
     }
     return labels;
@@ -265,12 +265,12 @@ TEST_F(BenchmarkSelection, TakesRealisticImagesWhereTheyAre) {
   options.variant = "realistic";
   EXPECT_THAT(Refusal(options), HasSubstr("clean images only"));
   options.variant.clear();
-  EXPECT_EQ(Run(folder_.Path(), options).variant, "clean");
+  EXPECT_EQ(RunOn(folder_.Path(), options).variant, "clean");
   for (const char* camera : {"front", "rear"}) {
     std::filesystem::copy(folder_ / "equisolid" / camera / "clean",
                           folder_ / "equisolid" / camera / "realistic");
   }
-  EXPECT_EQ(Run(folder_.Path(), options).variant, "realistic");
+  EXPECT_EQ(RunOn(folder_.Path(), options).variant, "realistic");
 }
 
 TEST_F(BenchmarkSelection, RefusesWhatIsNotThere) {
@@ -314,7 +314,7 @@ TEST_F(BenchmarkSelection, ImagesOfAnotherSizeAreTold) {
 }
 
 TEST_F(BenchmarkSelection, TableHasALineForEachSettingAndPairUpToALimit) {
-  const BenchmarkResults results = Run(folder_.Path());
+  const BenchmarkResults results = RunOn(folder_.Path());
   const std::string table = BenchmarkTable(results, 100);
   EXPECT_THAT(table, HasSubstr(kTriplet));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 2 * 4);
@@ -326,7 +326,7 @@ TEST_F(BenchmarkSelection, ResultsHaveOneRowForEachSettingPairToleranceAndMetric
   BenchmarkOptions options = Quiet();
   options.lenses = {"equisolid"};
   options.pairs = "1";
-  const BenchmarkResults results = Run(folder_.Path(), options);
+  const BenchmarkResults results = RunOn(folder_.Path(), options);
   const TempFolder out;
   WriteResults(results, out.Path());
   const std::string csv = ReadFile(out / "results.csv");

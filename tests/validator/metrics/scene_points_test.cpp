@@ -38,20 +38,15 @@ std::vector<std::pair<int, int>> Indices(const std::vector<PointPair>& pairs) {
   return indices;
 }
 
-
-
 TEST(OneToOne, TakesTheClosestPairFirst) {
   // The second set's point is near both; the nearer one gets it, whatever the order.
-  EXPECT_EQ(Indices(OneToOne(OnALine({0.0, 0.03}), OnALine({0.02}), 0.1)),
-            (Expected{{1, 0}}));
-  EXPECT_EQ(Indices(OneToOne(OnALine({0.03, 0.0}), OnALine({0.02}), 0.1)),
-            (Expected{{0, 0}}));
+  EXPECT_EQ(Indices(OneToOne(OnALine({0.0, 0.03}), OnALine({0.02}), 0.1)), (Expected{{1, 0}}));
+  EXPECT_EQ(Indices(OneToOne(OnALine({0.03, 0.0}), OnALine({0.02}), 0.1)), (Expected{{0, 0}}));
 }
 
 TEST(OneToOne, ThenTheClosestOfThoseLeft) {
   // 1-0 (0.01) goes first; 0 is left with 1 at 0.06, not with 0 at 0.02.
-  const std::vector<PointPair> pairs =
-      OneToOne(OnALine({0.0, 0.03}), OnALine({0.02, -0.06}), 0.1);
+  const std::vector<PointPair> pairs = OneToOne(OnALine({0.0, 0.03}), OnALine({0.02, -0.06}), 0.1);
   EXPECT_EQ(Indices(pairs), (Expected{{1, 0}, {0, 1}}));
   EXPECT_NEAR(pairs[0].separation, 0.01, 1e-12);
   EXPECT_NEAR(pairs[1].separation, 0.06, 1e-12);
