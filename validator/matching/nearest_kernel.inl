@@ -2,7 +2,7 @@
 // The loops for one instruction set. The including file defines, in an anonymous namespace before
 // it:
 //   Ints           a vector of 32-bit integers; kLanes, kQueries, kGroups
-//   Load, Store, Set1, LaneIdx, Add, Sub, Twice, Min, Max, Where(a > b, x, y) as ChooseIfGreater
+//   Load, Store, Set1, LaneIdx, Add, Min, Max, ChooseIfGreater(a, b, x, y): a > b ? x : y
 //   BytesMetric, FloatsMetric, HammingMetric, Hamming2Metric: Sum, Zero(), Step(sum, a, b) and
 //   Distance(sum, first norm, second norm)
 

@@ -3,8 +3,9 @@
 
 #include "renderer/core/random.h"
 
+#include <algorithm>
 #include <numeric>
-#include <set>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -72,8 +73,8 @@ TEST(CrossCheckedMatches, AreThoseOfOpenCv) {
 }
 
 TEST(RatioMatches, AreThoseOfOpenCv) {
-  const Descriptors first = Rows(300, Norm::kL2, 128, 90, 2);
-  const Descriptors second = Rows(300, Norm::kL2, 128, 90, 3);
+  const Descriptors first = Rows(300, Norm::kL2, 128, 160, 2);
+  const Descriptors second = Rows(300, Norm::kL2, 128, 160, 3);
   std::vector<std::vector<cv::DMatch>> neighbours;
   cv::BFMatcher(cv::NORM_L2).knnMatch(first.rows, second.rows, neighbours, 2);
   std::vector<RowMatch> expected;
@@ -95,8 +96,8 @@ TEST(RatioMatches, NeedASecondNeighbour) {
 }
 
 TEST(FlannMatches, AreNearlyTheRatioTestsAndRepeatable) {
-  const Descriptors first = Rows(500, Norm::kL2, 128, 60, 2);
-  const Descriptors second = Rows(500, Norm::kL2, 128, 60, 3);
+  const Descriptors first = Rows(500, Norm::kL2, 128, 15, 2);
+  const Descriptors second = Rows(500, Norm::kL2, 128, 15, 3);
   std::vector<int> rows(500);
   std::iota(rows.begin(), rows.end(), 0);
   const std::vector<RowMatch> matches = FlannMatches(first, rows, second, rows, {});
