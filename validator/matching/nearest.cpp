@@ -38,8 +38,10 @@ int32_t Bits(float value) {
   return bits;
 }
 
+/// Keys below this are of real rows. Half of what padding rows have, because the norms of packed
+/// bytes may be negative.
 int32_t FarKey(KernelMetric metric) {
-  return metric == KernelMetric::kFloats ? Bits(kFarFloat) : kFarInteger;
+  return metric == KernelMetric::kFloats ? Bits(0.5F * kFarFloat) : kFarInteger / 2;
 }
 
 /// Which side of the comparison rows are packed for.
