@@ -152,7 +152,10 @@ void AddBenchCommand(CLI::App& app) {
   command->add_option("--seed", options.seed, "Of the confidence intervals' random numbers")
       ->capture_default_str();
   command->add_flag("--resume", options.resume, "Takes finished stages from RESULTS/stages");
-  command->add_option("--shard", flags->shard, "I/N: each N-th unit of work, starting with I, into RESULTS/stages")
+  command
+      ->add_option("--shard",
+                   flags->shard,
+                   "I/N: each N-th unit of work, starting with I, into RESULTS/stages")
       ->capture_default_str();
   command->add_flag("--pictures", flags->has_pictures, "Pictures of all matches");
   AddRunFlags(*command, flags->run);

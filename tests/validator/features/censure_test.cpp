@@ -67,8 +67,8 @@ TEST(Censure, PlainImagesRampsAndEdgesHaveNoPoints) {
     image.col(x).setTo(2 * x);
   }
   EXPECT_TRUE(DetectCensure(image, Wide()).empty());
-  // A bar is a line: its response is strong, but not well placed (but for where the stars end to fit
-  // into the image).
+  // A bar is a line: its response is strong, but not well placed (but for where the stars end to
+  // fit into the image).
   image.setTo(50);
   image.colRange(55, 63).setTo(220);
   for (const cv::KeyPoint& point : DetectCensure(image, CensureSetting())) {

@@ -97,8 +97,7 @@ double MatchedShare(const Setting& descriptor, double angle_deg, double scale) {
     const int nearest = tables.of_first[0][i].idx;
     // SIFT has points at one place with several angles.
     num_right +=
-        nearest >= 0 &&
-                moved[second.key_point_idx[nearest]].pt == moved[first.key_point_idx[i]].pt
+        nearest >= 0 && moved[second.key_point_idx[nearest]].pt == moved[first.key_point_idx[i]].pt
             ? 1
             : 0;
   }
