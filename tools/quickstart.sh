@@ -23,14 +23,14 @@ echo "== check"
 checked=$SECONDS
 
 echo "== benchmark"
-"$pfseq" bench "$out/sequence" --out "$out/bench"
+"$pfseq" bench "$out/sequence" --out "$out/bench" --pictures
 
 cat <<TEXT
 
 Done: set-up and build $((built - started)) s, rendering $((rendered - built)) s, check $((checked - rendered)) s, benchmark $((SECONDS - checked)) s.
   pictures         $out/sequence/equisolid/front/clean/000000.png and beside it (see README.md, "What is in the folder")
   distance maps    $out/sequence/equisolid/front/distance/000000.exr (metres, float32)
-  matches          $out/bench/matches_equisolid_000000.png, measures in $out/bench/results.csv
+  matches          $out/bench/pictures, measures in $out/bench/results.csv
 Next:
   $pfseq render data/sequences/pfseq.yaml --out out/pfseq                      all 64 frames
   $pfseq render data/sequences/pfseq.yaml --out out/seed7 --set scene.canyon.seed=7 --frames 0

@@ -10,7 +10,7 @@ build_tests=ON
 [ "${1:-}" = "--no-tests" ] && build_tests=OFF
 
 packages=(g++ cmake ninja-build pkg-config
-  libeigen3-dev libfmt-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev libssl-dev libcli11-dev libnanoflann-dev
+  libeigen3-dev libfmt-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev libssl-dev libcli11-dev libnanoflann-dev zlib1g-dev
   libembree-dev libopenimageio-dev openimageio-tools libopenexr-dev libtinygltf-dev libopencv-dev
   libgtest-dev libgmock-dev)
 

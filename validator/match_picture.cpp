@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validator/match_picture.h"
 
+#include "renderer/core/file.h"
+#include "renderer/sequence/image_io.h"
+
 #include <algorithm>
+#include <cctype>
+#include <span>
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -23,9 +28,15 @@ cv::Scalar ColorOf(bool is_correct) {
 bool IsCorrect(const JudgedMatch& match) { return match.distance_m < kPictureToleranceM; }
 
 void PasteReduced(const Image<uint8_t>& view, cv::Mat place) {
-  const cv::Mat full(
-      view.HeightPx(), view.WidthPx(), CV_8UC3, const_cast<uint8_t*>(view.Values().data()));
-  cv::resize(full, place, place.size(), 0.0, 0.0, cv::INTER_AREA);
+  const cv::Mat full(view.HeightPx(),
+                     view.WidthPx(),
+                     CV_8UC(view.NumChannels()),
+                     const_cast<uint8_t*>(view.Values().data()));
+  cv::Mat rgb = full;
+  if (view.NumChannels() != 3) {
+    cv::cvtColor(full, rgb, view.NumChannels() == 1 ? cv::COLOR_GRAY2RGB : cv::COLOR_RGBA2RGB);
+  }
+  cv::resize(rgb, place, place.size(), 0.0, 0.0, cv::INTER_AREA);
 }
 
 /// In 1/16 pixel, OpenCV's convention.
@@ -37,17 +48,17 @@ cv::Point OnPicture(const Vec2d& pixel_px, double scale, int offset_px) {
 
 }  // namespace
 
-Image<uint8_t> MatchPicture(const Image<uint8_t>& first_rgb,
-                            const Image<uint8_t>& second_rgb,
+Image<uint8_t> MatchPicture(const Image<uint8_t>& first_view,
+                            const Image<uint8_t>& second_view,
                             const std::vector<JudgedMatch>& matches,
                             const std::string& title) {
-  const int width_px = std::min(kViewWidthPx, first_rgb.WidthPx());
-  const double scale = static_cast<double>(width_px) / first_rgb.WidthPx();
-  const int height_px = std::max(1, cvRound(scale * first_rgb.HeightPx()));
+  const int width_px = std::min(kViewWidthPx, first_view.WidthPx());
+  const double scale = static_cast<double>(width_px) / first_view.WidthPx();
+  const int height_px = std::max(1, cvRound(scale * first_view.HeightPx()));
   Image<uint8_t> picture(2 * width_px, height_px + kCaptionHeightPx, 3);
   cv::Mat canvas(picture.HeightPx(), picture.WidthPx(), CV_8UC3, picture.Values().data());
-  PasteReduced(first_rgb, canvas(cv::Rect(0, 0, width_px, height_px)));
-  PasteReduced(second_rgb, canvas(cv::Rect(width_px, 0, width_px, height_px)));
+  PasteReduced(first_view, canvas(cv::Rect(0, 0, width_px, height_px)));
+  PasteReduced(second_view, canvas(cv::Rect(width_px, 0, width_px, height_px)));
 
   const size_t num_correct = std::count_if(matches.begin(), matches.end(), IsCorrect);
   const size_t step = std::max<size_t>(1, (matches.size() + kMaxLines - 1) / kMaxLines);
@@ -84,6 +95,22 @@ Image<uint8_t> MatchPicture(const Image<uint8_t>& first_rgb,
               1,
               cv::LINE_AA);
   return picture;
+}
+
+void WriteMatchPicture(const Image<uint8_t>& first,
+                       const Image<uint8_t>& second,
+                       const std::vector<JudgedMatch>& matches,
+                       const std::string& title,
+                       const std::filesystem::path& folder) {
+  std::string name;
+  for (const char c : title) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
+    if (is_plain || (!name.empty() && name.back() != '_')) {
+      name += is_plain ? c : '_';
+    }
+  }
+  const Bytes png = EncodePng(MatchPicture(first, second, matches, title));
+  WriteFileAtomically(folder / (name + ".png"), std::span(png));
 }
 
 }  // namespace pfseq

@@ -22,6 +22,12 @@ expect_failure 2 "noise.glb" "$pfseq" render "$tiny" --out out --set scene.gltf=
 expect_failure 2 "none.txt" "$pfseq" render "$tiny" --out out --set trajectory.tum=none.txt
 expect_failure 2 "nothing" "$pfseq" check nothing
 expect_failure 2 "nothing" "$pfseq" bench nothing --out results
+expect_failure 2 "--out" "$pfseq" bench nothing
+printf 'detectors:\n  - algorithm: SIFT\n    sigm: 1.6\n' >grid.yaml
+expect_failure 2 "grid.yaml:3" "$pfseq" bench --grid grid.yaml --list
+expect_failure 2 "expected pol or nopol" "$pfseq" bench --setting "SIFT 0.04" --list
+expect_failure 2 "--shard 2/2" "$pfseq" bench nothing --out results --shard 2/2
+[ ! -e results ] || fail "a refused benchmark left a folder behind"
 [ ! -e out ] || fail "a refused run left a folder behind"
 
 printf 'name: x\nimage: {size_px: 10\n' >broken.yaml

@@ -72,9 +72,24 @@ for lens in equidistant equisolid; do
 done
 cmp one/scene.glb from_glb/scene.glb || fail "scene.glb changes when it is read and written again"
 
-# The benchmark's results are repeatable too.
-"$pfseq" bench one --out bench_1 --threads 1 --quiet >/dev/null
-"$pfseq" bench one --out bench_2 --threads 2 --quiet >/dev/null
-rm bench_1/times.csv bench_2/times.csv
-expect_same_folders bench_1 bench_2
+# The benchmark's results are repeatable too, for any threads, shards and interruptions.
+settings=(--setting "SIFT nopol 0.04 5.0 1.6 SIFT BruteForce" --setting "CenSurE pol 16 10 3 FREAK 11.0 RatioTest"
+  --setting "ORB nopol 500 ORB 3 BruteForce")
+"$pfseq" bench one --out bench_1 "${settings[@]}" --threads 1 --quiet >/dev/null
+"$pfseq" bench one --out bench_2 "${settings[@]}" --threads 2 --quiet >/dev/null
+for shard in 0 1; do
+  "$pfseq" bench one --out bench_3 "${settings[@]}" --shard $shard/2 --quiet >/dev/null
+done
+[ ! -e bench_3/results.csv ] || fail "a shard alone wrote results"
+"$pfseq" bench one --out bench_3 "${settings[@]}" --resume --quiet >/dev/null
+timeout -s KILL 1 "$pfseq" bench one --out bench_4 "${settings[@]}" --threads 1 --quiet >/dev/null || true
+"$pfseq" bench one --out bench_4 "${settings[@]}" --resume --quiet >/dev/null
+rm bench_?/times.csv
+find bench_4 -name '*.partial' -delete
+for i in 2 3 4; do
+  expect_same_folders bench_1 bench_$i
+done
+expect_failure 2 "--variant realistic" "$pfseq" bench one --out bench_5 --variant realistic
+expect_failure 2 "frame 99" "$pfseq" bench one --out bench_5 --pairs 99
+[ ! -e bench_5 ] || fail "a refused benchmark left a folder behind"
 echo "passed; $kills runs were killed"

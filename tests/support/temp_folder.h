@@ -9,7 +9,7 @@
 
 namespace pfseq {
 
-/// A folder of the running test's own, removed at the end.
+/// A folder of the running test's own, removed at the end. A test may have several.
 class TempFolder {
  public:
   TempFolder() {
@@ -18,8 +18,9 @@ class TempFolder {
     for (char& letter : name) {
       letter = letter == '/' ? '_' : letter;
     }
-    path_ =
-        std::filesystem::temp_directory_path() / ("pfseq_" + name + "_" + std::to_string(getpid()));
+    static int count = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            ("pfseq_" + name + "_" + std::to_string(getpid()) + "_" + std::to_string(count++));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

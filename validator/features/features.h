@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a detector and a descriptor make of one image.
+// What detectors and descriptors make of an image, in OpenCV's terms.
 #pragma once
 
-#include "renderer/core/image.h"
-#include "renderer/core/vector.h"
+#include "validator/grid/setting.h"
 
-#include <cstdint>
+#include <string>
 #include <vector>
+
+#include <opencv2/core.hpp>
 
 namespace pfseq {
 
-/// Descriptors of 8-bit components: one row a key point.
-using ByteDescriptors = Image<uint8_t>;
+/// Key points in OpenCV's pixel coordinates (see pixel_convention.h) of the image they were found
+/// in. `size` is the diameter in pixels that the detector gives.
+using KeyPoints = std::vector<cv::KeyPoint>;
 
-/// Key points and their descriptors; row i of the descriptors is that of point i.
-struct Features {
-  /// Continuous pixel coordinates, origin at the image's outer upper-left corner.
-  std::vector<Vec2d> pixels_px;
-  ByteDescriptors descriptors;
+/// Descriptors of some key points, one row each.
+struct Descriptors {
+  Norm norm = Norm::kL2;
+  /// CV_8U, or CV_32F with the Euclidean norm.
+  cv::Mat rows;
+  /// Which key point each row describes; ascending. Points that cannot be described (near the
+  /// border, without texture) are left out.
+  std::vector<int> key_point_idx;
 };
 
 }  // namespace pfseq

@@ -5,10 +5,10 @@
 
 namespace pfseq {
 
-std::optional<Vec3d> LiftToWorld(const Vec2d& pixel_px,
-                                 const Lens& lens,
-                                 const RigidTransform& world_from_camera,
-                                 const Image<float>& distance_m) {
+std::optional<Vec3d> LiftByMap(const Vec2d& pixel_px,
+                               const Lens& lens,
+                               const RigidTransform& world_from_camera,
+                               const Image<float>& distance_m) {
   // The pixel whose centre is nearest is the one that contains the point.
   const double x = std::floor(pixel_px.x());
   const double y = std::floor(pixel_px.y());
@@ -21,6 +21,24 @@ std::optional<Vec3d> LiftToWorld(const Vec2d& pixel_px,
     return std::nullopt;
   }
   return world_from_camera.Point(distance * *direction_camera);
+}
+
+std::optional<Vec3d> LiftByRay(const Vec2d& pixel_px,
+                               const Lens& lens,
+                               const RigidTransform& world_from_camera,
+                               const RayScene& scene,
+                               double max_distance_m) {
+  const std::optional<Vec3d> direction_camera = lens.Unproject(pixel_px);
+  if (!direction_camera) {
+    return std::nullopt;
+  }
+  const std::optional<RayHit> hit = scene.Intersect(world_from_camera.translation_m,
+                                                    world_from_camera.Direction(*direction_camera),
+                                                    max_distance_m);
+  if (!hit) {
+    return std::nullopt;
+  }
+  return world_from_camera.Point(hit->distance_m * *direction_camera);
 }
 
 }  // namespace pfseq
