@@ -120,7 +120,10 @@ Rgb CoarseLight::Irradiance(uint32_t triangle_idx, float u, float v, bool is_fro
 
 Rgb CoarseLight::Compute(uint32_t patch_idx, bool is_front) const {
   RandomStream random({0x636f61727365ULL, patch_idx, is_front ? 0ULL : 1ULL});
+  // Of all paths, and of those that do not start within a body.
   Rgb sum = Rgb::Zero();
+  Rgb sum_outside = Rgb::Zero();
+  int num_outside = 0;
   const auto num_shared = static_cast<uint32_t>(part_start_.size() - 1);
   for (int i = 0; i < kPathsPerPatch; ++i) {
     Part part{};
@@ -136,12 +139,20 @@ Rgb CoarseLight::Compute(uint32_t patch_idx, bool is_front) const {
       part.cell_u = static_cast<uint16_t>(cell % num_cells_[part.triangle_idx]);
       part.cell_v = static_cast<uint16_t>(cell / num_cells_[part.triangle_idx]);
     }
-    sum += EstimateAt(part, is_front, random);
+    const PointEstimate estimate = EstimateAt(part, is_front, random);
+    sum += estimate.irradiance;
+    if (!estimate.is_from_behind) {
+      sum_outside += estimate.irradiance;
+      ++num_outside;
+    }
   }
-  return sum / static_cast<float>(kPathsPerPatch);
+  return 2 * num_outside >= kPathsPerPatch ? sum_outside / static_cast<float>(num_outside)
+                                           : sum / static_cast<float>(kPathsPerPatch);
 }
 
-Rgb CoarseLight::EstimateAt(const Part& part, bool is_front, RandomStream& random) const {
+CoarseLight::PointEstimate CoarseLight::EstimateAt(const Part& part,
+                                                   bool is_front,
+                                                   RandomStream& random) const {
   const auto n = static_cast<float>(num_cells_[part.triangle_idx]);
   float u = (static_cast<float>(part.cell_u) + static_cast<float>(random.Uniform())) / n;
   float v = (static_cast<float>(part.cell_v) + static_cast<float>(random.Uniform())) / n;

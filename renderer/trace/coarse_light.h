@@ -14,13 +14,20 @@ namespace pfseq {
 
 /// Mean irradiance of patches of a scene's surfaces, each side for itself, estimated when first
 /// asked for. A patch is the triangles that share a cell of a grid and a main direction of their
-/// normals; large triangles are cut into patches. What a patch holds depends on the scene and the
-/// patch alone, not on who asks first: any number of threads may ask.
+/// normals; large triangles are cut into patches. Parts of a patch that seem to lie within a
+/// body, where faces run into each other, do not count if they are the lesser part. What a patch
+/// holds depends on the scene and the patch alone, not on who asks first: any number of threads may
+/// ask.
 class CoarseLight {
  public:
-  /// One estimate of the irradiance at a point by a path.
-  using Estimate =
-      std::function<Rgb(const Vec3f& position_m, const Vec3f& normal, RandomStream& random)>;
+  /// What a path finds out about a point.
+  struct PointEstimate {
+    Rgb irradiance;
+    /// The first surface on the path was seen from behind: the point may lie within a body.
+    bool is_from_behind = false;
+  };
+  using Estimate = std::function<PointEstimate(
+      const Vec3f& position_m, const Vec3f& normal, RandomStream& random)>;
 
   CoarseLight(const SurfaceTable& surfaces, float cell_m, Estimate estimate);
 
@@ -46,7 +53,7 @@ class CoarseLight {
 
   uint32_t PatchOf(uint32_t triangle_idx, float u, float v) const;
   Rgb Compute(uint32_t patch_idx, bool is_front) const;
-  Rgb EstimateAt(const Part& part, bool is_front, RandomStream& random) const;
+  PointEstimate EstimateAt(const Part& part, bool is_front, RandomStream& random) const;
 
   const SurfaceTable& surfaces_;
   Estimate estimate_;

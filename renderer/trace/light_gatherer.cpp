@@ -259,9 +259,9 @@ Rgb LightGatherer::PathLight(ShadingPoint point,
   return radiance.isFinite().all() ? radiance : Rgb(Rgb::Zero());
 }
 
-Rgb LightGatherer::CoarseIrradiance(const Vec3f& origin_m,
-                                    const Vec3f& normal,
-                                    RandomStream& random) const {
+CoarseLight::PointEstimate LightGatherer::CoarseIrradiance(const Vec3f& origin_m,
+                                                           const Vec3f& normal,
+                                                           RandomStream& random) const {
   const double squared_radius = random.Uniform();
   const double azimuth_rad = 2.0 * std::numbers::pi * random.Uniform();
   const auto radius = static_cast<float>(std::sqrt(squared_radius));
@@ -272,11 +272,12 @@ Rgb LightGatherer::CoarseIrradiance(const Vec3f& origin_m,
                               .normalized();
   const std::optional<PacketHit> hit = rays_.Intersect(origin_m, direction);
   if (!hit.has_value()) {
-    return lighting_.sky.Radiance(direction) * std::numbers::pi_v<float>;
+    return {lighting_.sky.Radiance(direction) * std::numbers::pi_v<float>};
   }
   const ShadingPoint point = ShadeWide(*hit, origin_m, direction);
   // The patch itself is the second vertex at the earliest.
-  return PathLight(point, direction, 2, false, random) * std::numbers::pi_v<float>;
+  return {PathLight(point, direction, 2, false, random) * std::numbers::pi_v<float>,
+          !point.is_front};
 }
 
 LightGatherer::FarSurfaces LightGatherer::ShadeFar(

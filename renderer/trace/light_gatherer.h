@@ -74,7 +74,9 @@ class LightGatherer {
                 int bounce,
                 bool ends_in_coarse_light,
                 RandomStream& random) const;
-  Rgb CoarseIrradiance(const Vec3f& origin_m, const Vec3f& normal, RandomStream& random) const;
+  CoarseLight::PointEstimate CoarseIrradiance(const Vec3f& origin_m,
+                                              const Vec3f& normal,
+                                              RandomStream& random) const;
   Rgb Sunlight(const ShadingPoint& point, const Vec3f& direction, RandomStream& random) const;
   bool IsSmooth(const ShadingPoint& point) const;
 

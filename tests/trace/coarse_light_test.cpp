@@ -25,17 +25,21 @@ Scene PlaneOf(const std::vector<std::array<Vec2f, 3>>& triangles) {
   return scene;
 }
 
-/// The irradiance is the place; front sides have blue 1, back sides 0.
+/// The irradiance is the place; front sides have blue 1, back sides 0. What lies beyond `body_x_m`
+/// is within a body.
 struct PlaceLight {
-  explicit PlaceLight(Scene plain_scene, float cell_m)
+  explicit PlaceLight(Scene plain_scene, float cell_m, float body_x_m = 1e9F)
       : scene(std::move(plain_scene)),
         textures(scene),
         surfaces(scene, textures),
-        light(
-            surfaces, cell_m, [this](const Vec3f& position_m, const Vec3f& normal, RandomStream&) {
-              places.push_back(position_m);
-              return Rgb(position_m.x(), position_m.y(), normal.z() > 0.0F ? 1.0F : 0.0F);
-            }) {}
+        light(surfaces,
+              cell_m,
+              [this, body_x_m](const Vec3f& position_m, const Vec3f& normal, RandomStream&) {
+                places.push_back(position_m);
+                return CoarseLight::PointEstimate{
+                    Rgb(position_m.x(), position_m.y(), normal.z() > 0.0F ? 1.0F : 0.0F),
+                    position_m.x() > body_x_m};
+              }) {}
 
   Scene scene;
   TextureSet textures;
@@ -55,6 +59,15 @@ TEST(CoarseLight, SmallTrianglesOfACellShareTheMeanOverTheirAreas) {
   EXPECT_EQ(place.places.size(), num_places) << "the same patch was estimated again";
   EXPECT_NEAR(first[0], 0.75F * 0.5F + 0.25F * 0.9F, 0.03F);
   EXPECT_EQ(first[2], 1.0F);
+}
+
+TEST(CoarseLight, TheLesserPartWithinABodyDoesNotCount) {
+  // Of the unit square's x, uniform, the mean below 0.7; with most of it within a body, all.
+  const Scene square = PlaneOf({{Vec2f(0.0F, 0.0F), Vec2f(1.0F, 0.0F), Vec2f(1.0F, 1.0F)},
+                                {Vec2f(0.0F, 0.0F), Vec2f(1.0F, 1.0F), Vec2f(0.0F, 1.0F)}});
+  EXPECT_NEAR(
+      PlaceLight(square, 2.0F, 0.7F).light.Irradiance(0, 0.3F, 0.3F, true)[0], 0.35F, 0.07F);
+  EXPECT_NEAR(PlaceLight(square, 2.0F, 0.2F).light.Irradiance(0, 0.3F, 0.3F, true)[0], 0.5F, 0.1F);
 }
 
 TEST(CoarseLight, EachSideHasItsOwn) {
