@@ -2,6 +2,7 @@
 #include "validator/features/detect.h"
 
 #include "renderer/core/check.h"
+#include "renderer/core/error.h"
 #include "validator/features/censure.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/opencv_modules.hpp>
+#include <unistd.h>
 #ifdef HAVE_OPENCV_XFEATURES2D
 #include <opencv2/xfeatures2d/nonfree.hpp>
 #endif
@@ -65,12 +67,32 @@ KeyPoints DetectHarris(const cv::Mat& grey, const Setting& setting) {
   return points;
 }
 
+/// OpenCV's SIFT holds all octaves of the doubled image at once, in float; two views may be worked
+/// on at a time. InputError when this machine has not that much memory.
+void CheckSiftMemory(const cv::Mat& grey, int layers) {
+  constexpr double kGibi = 1024.0 * 1024.0 * 1024.0;
+  const double images = 2.0 * layers + 5.0;
+  const double needed =
+      2.0 * 4.0 * static_cast<double>(grey.total()) * sizeof(float) * images * 4.0 / 3.0;
+  const double there =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  if (needed > 0.9 * there) {
+    throw InputError(
+        "SIFT on an image of {} x {} px: needs about {:.0f} GiB of memory, this machine has {:.0f}",
+        grey.cols,
+        grey.rows,
+        needed / kGibi,
+        there / kGibi);
+  }
+}
+
 cv::Ptr<cv::Feature2D> MakeOpenCv(const cv::Mat& grey, const Setting& setting) {
   const auto integer = [&](const char* name) { return setting.Integer(name); };
   const auto number = [&](const char* name) { return setting.Number(name); };
   const auto real = [&](const char* name) { return static_cast<float>(setting.Number(name)); };
   if (setting.Is("SIFT")) {
     const int all_points = 0;
+    CheckSiftMemory(grey, integer("nOctaveLayers"));
     return cv::SIFT::create(all_points,
                             integer("nOctaveLayers"),
                             number("contrastThreshold"),
