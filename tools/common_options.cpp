@@ -129,7 +129,8 @@ SequenceInput LoadSequenceInput(const DescriptionFlags& flags) {
 
   // The written description refers to the copies in its own folder.
   SequenceSpec written = input.spec;
-  if (!written.scene.gltf.empty()) {
+  const bool has_photos = !written.scene.canyon.facades.empty();
+  if (!written.scene.gltf.empty() || has_photos) {
     written.scene.gltf = kSceneFile;
   }
   const auto copy = [&](std::string& path, std::string_view name) {
@@ -142,8 +143,13 @@ SequenceInput LoadSequenceInput(const DescriptionFlags& flags) {
   copy(written.trajectory.csv, kCsvInputFile);
   std::string& map = written.light.sky.map;
   copy(map, map.empty() || IsExr(ReadFile(map)) ? kExrSkyMapFile : kHdrSkyMapFile);
-  input.files.insert(input.files.begin(), {std::string(kSequenceFile), CanonicalYaml(written)});
-  input.files.push_back({std::string(kSceneFile), GlbBytes(*input.scene)});
+  const std::string credits = SceneCredits(input.spec, "");
+  std::string yaml = CanonicalYaml(written);
+  if (!credits.empty()) {
+    yaml += "# " + credits + "\n";
+  }
+  input.files.insert(input.files.begin(), {std::string(kSequenceFile), yaml});
+  input.files.push_back({std::string(kSceneFile), GlbBytes(*input.scene, credits)});
   return input;
 }
 

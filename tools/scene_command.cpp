@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
+#include "renderer/sequence/image_io.h"
+#include "renderer/sequence/sequence_model.h"
 #include "renderer/trace/ray_scene.h"
 #include "scenes/canyon/canyon.h"
 #include "scenes/canyon/canyon_stats.h"
+#include "scenes/catalog.h"
 #include "scenes/gltf/gltf_writer.h"
 #include "scenes/lambertian.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
+#include "tools/scene_map.h"
 
 #include <limits>
 #include <map>
@@ -22,6 +26,7 @@ constexpr const char* kFooter = R"(
 Examples:
   pfseq scene data/sequences/pfseq.yaml --stats
   pfseq scene data/sequences/pfseq.yaml --set scene.canyon.seed=7 --out city.glb
+  pfseq scene data/sequences/pfseq.yaml --map map.png
   pfseq scene data/sequences/pfseq.yaml --out city.gltf          separate .bin and textures
   pfseq scene data/sequences/pfseq.yaml --materials lambertian --out matt.glb)";
 
@@ -32,6 +37,8 @@ constexpr const char* kUntexturedMaterials = "untextured";
 struct SceneFlags {
   DescriptionFlags description;
   std::filesystem::path out;
+  std::filesystem::path map;
+  int map_size_px = 1200;
   std::string materials = kAllMaterials;
   bool stats = false;
   RunFlags run;
@@ -93,9 +100,22 @@ Scene SceneToWrite(const Scene& scene, const std::string& materials) {
   return materials == kUntexturedMaterials ? UntexturedScene(scene) : scene;
 }
 
+void WriteMap(const SceneFlags& flags, const SequenceInput& input) {
+  std::vector<Vec3d> way_m;
+  for (const StampedPose& pose : FramePoses(input.spec.trajectory)) {
+    way_m.push_back(pose.world_from_rig.translation_m);
+  }
+  const RayScene rays(input.scene);
+  const Image<uint8_t> map = DrawSceneMap(rays, way_m, flags.map_size_px, flags.run.num_threads);
+  WriteFileAtomically(flags.map, EncodePng(map));
+}
+
 void RunScene(const SceneFlags& flags) {
-  if (flags.out.empty() && !flags.stats) {
-    throw InputError("scene: expected --out FILE.glb, --out FILE.gltf or --stats");
+  if (flags.out.empty() && flags.map.empty() && !flags.stats) {
+    throw InputError("scene: expected --out FILE.glb, --out FILE.gltf, --map FILE.png or --stats");
+  }
+  if (!flags.map.empty() && flags.map.extension() != ".png") {
+    throw InputError("--map {}: expected a name that ends with .png", flags.map.string());
   }
   const std::string extension = flags.out.extension().string();
   if (!flags.out.empty() && extension != ".glb" && extension != ".gltf") {
@@ -103,9 +123,14 @@ void RunScene(const SceneFlags& flags) {
   }
   const SequenceInput input = LoadSequenceInput(flags.description);
   if (extension == ".glb") {
-    WriteFileAtomically(flags.out, GlbBytes(SceneToWrite(*input.scene, flags.materials)));
+    WriteFileAtomically(
+        flags.out,
+        GlbBytes(SceneToWrite(*input.scene, flags.materials), SceneCredits(input.spec, "")));
   } else if (extension == ".gltf") {
-    WriteGltf(SceneToWrite(*input.scene, flags.materials), flags.out);
+    WriteGltf(SceneToWrite(*input.scene, flags.materials), flags.out, SceneCredits(input.spec, ""));
+  }
+  if (!flags.map.empty()) {
+    WriteMap(flags, input);
   }
   if (flags.stats) {
     PrintStats(input);
@@ -126,6 +151,10 @@ void AddSceneCommand(CLI::App& app) {
                    "Materials of the file: all, as they are; lambertian, without gloss, metal, "
                    "normal maps and emission; untextured, lambertian and of one colour each")
       ->check(CLI::IsMember({kAllMaterials, kLambertianMaterials, kUntexturedMaterials}))
+      ->capture_default_str();
+  command->add_option("--map", flags->map, "PNG of the scene from above with the rig's way");
+  command->add_option("--map-size", flags->map_size_px, "Longer side of the map in pixels")
+      ->check(CLI::Range(16, 16384))
       ->capture_default_str();
   command->add_flag("--stats", flags->stats, "Print what is in the scene");
   AddRunFlags(*command, flags->run);

@@ -140,11 +140,15 @@ Image<uint8_t> ToRgba(const Image<uint8_t>& image) {
 
 }  // namespace
 
-Bytes EncodePng(const Image<uint8_t>& image, int compression_level) {
+Bytes EncodePng(const Image<uint8_t>& image, PngEffort effort) {
   OIIO::ImageSpec spec(
       image.WidthPx(), image.HeightPx(), image.NumChannels(), OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("png:compressionLevel", compression_level);
+  spec.attribute("png:compressionLevel", effort == PngEffort::kFast ? 1 : 6);
+  if (effort == PngEffort::kFast) {
+    // libpng's PNG_FILTER_SUB; by default it tries all filters for each row.
+    spec.attribute("png:filter", 0x10);
+  }
   return Encode("png", spec, OIIO::TypeDesc::UINT8, image.Values().data());
 }
 

@@ -240,6 +240,14 @@ YamlTypePtr<CanyonSpec> CanyonSchema() {
            &CanyonSpec::detail,
            From(0.0, 2.0),
            "Density of detail: 0 bare walls with windows, 1 normal, 2 the most.")
+      .Key("street_life",
+           &CanyonSpec::street_life,
+           From(0.0, 2.0),
+           "Cars, people, trees, lamps, signs, wires: 0 none, 1 normal, 2 crowded.")
+      .Key("texel_m",
+           &CanyonSpec::texel_m,
+           From(0.004, 1.0),
+           "Size of the texels of walls at street level beside the drive in metres.")
       .Key("pitched_roof_share",
            &CanyonSpec::pitched_roof_share,
            From(0.0, 1.0),
@@ -248,6 +256,11 @@ YamlTypePtr<CanyonSpec> CanyonSchema() {
            &CanyonSpec::surrounding_blocks,
            YamlInteger<int>(0, 20),
            "Rows of blocks around the U in each direction.")
+      .Key("facades",
+           &CanyonSpec::facades,
+           YamlPath(),
+           "A description of facade photographs (data/facades) to take the fronts from.",
+           [](const CanyonSpec& canyon) { return !canyon.facades.empty(); })
       .Finish([](const YamlMappingView& yaml, CanyonSpec& canyon) {
         CheckAscending(yaml, "street_width_m", canyon.street_width_m);
         CheckAscending(yaml, "building_height_m", canyon.building_height_m);

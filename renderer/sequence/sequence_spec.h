@@ -97,10 +97,16 @@ struct CanyonSpec {
   std::array<double, 2> building_height_m = {10.0, 35.0};
   /// Density of detail: 0 bare walls with windows, 1 the default, 2 the most.
   double detail = 1.0;
+  /// What stands and hangs in the streets: 0 nothing, 1 the default, 2 crowded.
+  double street_life = 1.0;
+  /// Size of the texels of fronts beside the drive at street level.
+  double texel_m = 0.012;
   /// Share of buildings with a pitched roof.
   double pitched_roof_share = 0.5;
   /// Rows of blocks around the U in each direction.
   int surrounding_blocks = 2;
+  /// Path of a description of facade photographs that fronts are taken from, or empty.
+  std::string facades;
 
   bool operator==(const CanyonSpec&) const = default;
 };

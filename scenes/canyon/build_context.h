@@ -2,8 +2,10 @@
 #pragma once
 
 #include "scenes/canyon/canyon_stats.h"
+#include "scenes/canyon/facade_photos.h"
 #include "scenes/canyon/mesh_builder.h"
 #include "scenes/canyon/palette.h"
+#include "scenes/canyon/wall_paintings.h"
 
 namespace pfseq {
 
@@ -22,6 +24,12 @@ struct BuildContext {
   /// CanyonSpec::detail.
   double detail = 1.0;
   CanyonStats& stats;
+  /// Where fronts near the drive order textures of their own; null: they have the palette's.
+  WallPaintings* paintings = nullptr;
+  /// CanyonSpec::street_life.
+  double street_life = 1.0;
+  /// Photographs to take fronts from, or null; goes with `paintings`.
+  const FacadePhotos* photos = nullptr;
 
   /// A share of what the default detail has, at most 1.
   double Share(double at_default) const {

@@ -18,9 +18,10 @@ FacadeStyle ChooseStyle(const BlockCharacter& character, RandomStream& random) {
     return random.Chance(0.62) ? FacadeStyle::kConcrete : FacadeStyle::kGlass;
   }
   const double draw = random.Uniform();
-  return draw < 0.36   ? FacadeStyle::kPlaster
-         : draw < 0.70 ? FacadeStyle::kBrick
-                       : FacadeStyle::kAshlar;
+  return draw < 0.32   ? FacadeStyle::kPlaster
+         : draw < 0.61 ? FacadeStyle::kBrick
+         : draw < 0.85 ? FacadeStyle::kAshlar
+                       : FacadeStyle::kInterwar;
 }
 
 /// The range that a style's houses take within the canyon's range of heights.
@@ -33,6 +34,8 @@ double HeightShare(FacadeStyle style, const BlockCharacter& character, RandomStr
       return 0.10 + 0.45 * spread;
     case FacadeStyle::kAshlar:
       return 0.25 + 0.35 * spread;
+    case FacadeStyle::kInterwar:
+      return 0.20 + 0.50 * spread;
     case FacadeStyle::kConcrete:
       return 0.30 + 0.55 * spread;
     case FacadeStyle::kGlass:
@@ -111,9 +114,10 @@ void SetOpenings(double detail, RandomStream& random, Building& building) {
           random.Uniform(0.95, 1.25), random.Uniform(1.7, 1.95), 0.75, random.Uniform(0.12, 0.2)};
       window.num_columns = 2;
       window.transom_share = 0.5;
-      window.has_lintel = chance(0.9);
+      window.has_lintel = chance(0.5);
       building.balcony = chance(0.15) ? BalconyPattern::kFrench : BalconyPattern::kNone;
       building.has_string_courses = chance(0.6);
+      building.has_quoins = chance(0.35);
       building.cornice_m = random.Uniform(0.2, 0.35);
       break;
     case FacadeStyle::kPlaster:
@@ -123,11 +127,12 @@ void SetOpenings(double detail, RandomStream& random, Building& building) {
       window.transom_share = random.Chance(0.7) ? 0.28 : 0.0;
       window.has_surround = chance(0.65);
       window.has_shutters = !window.has_surround && chance(0.6);
-      window.blind_share = chance(0.3) ? 0.5 : 0.0;
+      window.blind_share = chance(0.5) ? 0.4 : 0.0;
       building.balcony = chance(0.35)  ? BalconyPattern::kSingle
                          : chance(0.2) ? BalconyPattern::kFrench
                                        : BalconyPattern::kNone;
       building.has_string_courses = chance(0.75);
+      building.has_quoins = chance(0.3);
       building.cornice_m = random.Uniform(0.3, 0.5);
       break;
     case FacadeStyle::kAshlar:
@@ -141,6 +146,20 @@ void SetOpenings(double detail, RandomStream& random, Building& building) {
                                        : BalconyPattern::kFrench;
       building.has_string_courses = chance(0.8);
       building.cornice_m = random.Uniform(0.4, 0.6);
+      break;
+    case FacadeStyle::kInterwar:
+      building.bay_width_m = random.Uniform(2.7, 3.5);
+      window = {building.bay_width_m - random.Uniform(0.7, 1.4),
+                random.Uniform(1.3, 1.55),
+                0.9,
+                random.Uniform(0.08, 0.16)};
+      window.num_columns = random.Integer(2, 4);
+      window.transom_share = random.Chance(0.5) ? 0.33 : 0.0;
+      window.blind_share = 0.35;
+      building.balcony = chance(0.3) ? BalconyPattern::kPlate : BalconyPattern::kNone;
+      // Bands at the floors draw the storeys out.
+      building.has_string_courses = building.balcony == BalconyPattern::kNone && chance(0.7);
+      building.cornice_m = random.Chance(0.5) ? random.Uniform(0.12, 0.2) : 0.0;
       break;
     case FacadeStyle::kConcrete:
       building.bay_width_m = random.Uniform(3.0, 3.9);
@@ -192,6 +211,10 @@ void SetMaterials(const Palette& palette, RandomStream& random, Building& buildi
       building.ground_wall = building.wall;
       building.trim = palette.trim[static_cast<size_t>(random.Integer(0, 2))];
       break;
+    case FacadeStyle::kInterwar:
+      building.wall = Pick(random.Chance(0.65) ? palette.plaster : palette.brick, random);
+      building.ground_wall = random.Chance(0.5) ? building.wall : Pick(palette.ashlar, random);
+      break;
     case FacadeStyle::kConcrete:
       building.wall = Pick(palette.concrete, random);
       building.ground_wall = Pick(palette.concrete, random);
@@ -221,6 +244,8 @@ std::string_view NameOf(FacadeStyle style) {
       return "plaster";
     case FacadeStyle::kAshlar:
       return "ashlar";
+    case FacadeStyle::kInterwar:
+      return "interwar";
     case FacadeStyle::kConcrete:
       return "concrete";
     case FacadeStyle::kGlass:
@@ -262,6 +287,10 @@ Building DesignBuilding(const Lot& lot,
   SetStoreys(std::clamp(height_m, least_m, greatest_m), form, building);
   SetOpenings(canyon.detail, openings, building);
   SetMaterials(palette, materials, building);
+  RandomStream weather({seed, 4});
+  const bool is_old =
+      building.style != FacadeStyle::kGlass && building.style != FacadeStyle::kConcrete;
+  building.age = weather.Uniform(is_old ? 0.2 : 0.1, is_old ? 1.0 : 0.8);
   return building;
 }
 

@@ -5,12 +5,17 @@
 #include "scenes/canyon/block_subdivision.h"
 #include "scenes/canyon/palette.h"
 
+#include <memory>
 #include <string_view>
 #include <vector>
 
 namespace pfseq {
 
-enum class FacadeStyle { kBrick, kPlaster, kAshlar, kConcrete, kGlass };
+struct FacadePhoto;
+
+/// 19th-century brick, plaster and ashlar; smooth fronts with bands of windows from between the wars;
+/// post-war concrete; modern glass.
+enum class FacadeStyle { kBrick, kPlaster, kAshlar, kInterwar, kConcrete, kGlass };
 enum class RoofKind { kFlat, kMansard, kGable };
 enum class BalconyPattern { kNone, kFrench, kSingle, kContinuous, kPlate };
 
@@ -37,6 +42,10 @@ struct WindowDesign {
 struct Building {
   Lot lot;
   FacadeStyle style = FacadeStyle::kPlaster;
+  /// Distance from which each edge is seen on the drive, infinite where it is not; empty: unknown.
+  std::vector<double> sight_m;
+  /// What its street fronts in sight of the drive show instead of built storeys, or null.
+  std::shared_ptr<const FacadePhoto> photo;
   /// Draws of this house start from here.
   uint64_t seed = 0;
 
@@ -55,11 +64,16 @@ struct Building {
   /// Mansard: how far its top lies behind the street fronts.
   double mansard_inset_m = 1.2;
 
+  /// How long weather and soot have worked on it: 0 new, 1 neglected.
+  double age = 0.5;
+
   double bay_width_m = 2.8;
   WindowDesign window;
   BalconyPattern balcony = BalconyPattern::kNone;
   bool has_shops = true;
   bool has_string_courses = false;
+  /// Stones that dress the corners of the wall, painted.
+  bool has_quoins = false;
   /// 0: none.
   double cornice_m = 0.3;
 

@@ -12,8 +12,17 @@ namespace pfseq {
 Canyon BuildCanyonWithStats(const CanyonSpec& canyon, const DriveSpec& drive) {
   Palette palette = MakePalette();
   MeshBuilder builder(palette.texture_size_m);
+  WallPaintings paintings(palette, canyon.texel_m);
   Canyon result;
-  BuildCity({builder, palette, canyon.detail, result.stats}, canyon, drive);
+  FacadePhotos photos;
+  if (!canyon.facades.empty()) {
+    photos = ReadFacadePhotos(canyon.facades);
+  }
+  BuildCity(
+      {builder, palette, canyon.detail, result.stats, &paintings, canyon.street_life, &photos},
+      canyon,
+      drive);
+  paintings.Finish(palette);
   result.scene.meshes = builder.TakeMeshes(palette.materials);
   result.scene.materials = std::move(palette.materials);
   result.scene.textures = std::move(palette.textures);

@@ -35,9 +35,9 @@ std::string DescribeCanyon(const CanyonStats& stats, const Scene& scene) {
       high_m = high_m.cwiseMax(position_m);
     }
   }
-  size_t texel_bytes = 0;
+  size_t num_texels = 0;
   for (const Texture& texture : scene.textures) {
-    texel_bytes += texture.texels.Values().size_bytes();
+    num_texels += texture.texels.NumPixels();
   }
 
   std::string text;
@@ -53,6 +53,16 @@ std::string DescribeCanyon(const CanyonStats& stats, const Scene& scene) {
                  stats.num_shops,
                  stats.num_dormers,
                  stats.num_chimneys);
+  fmt::format_to(
+      out,
+      "vehicles {}  trees {}  people {}  lamps {}  signs {}  wires {}  painted walls {}\n",
+      stats.num_vehicles,
+      stats.num_trees,
+      stats.num_people,
+      stats.num_lamps,
+      stats.num_signs,
+      stats.num_wires,
+      stats.num_painted_walls);
   AppendCounts("styles:", stats.buildings_by_style, text);
   AppendCounts("roofs:", stats.buildings_by_roof, text);
   fmt::format_to(
@@ -65,14 +75,15 @@ std::string DescribeCanyon(const CanyonStats& stats, const Scene& scene) {
                  high_m.y(),
                  low_m.z(),
                  high_m.z());
-  fmt::format_to(out,
-                 "meshes {}  materials {}  textures {} ({:.1f} MB)  vertices {}  triangles {}\n",
-                 scene.meshes.size(),
-                 scene.materials.size(),
-                 scene.textures.size(),
-                 static_cast<double>(texel_bytes) * 1e-6,
-                 num_vertices,
-                 scene.NumTriangles());
+  fmt::format_to(
+      out,
+      "meshes {}  materials {}  textures {} ({:.1f} megapixels)  vertices {}  triangles {}\n",
+      scene.meshes.size(),
+      scene.materials.size(),
+      scene.textures.size(),
+      static_cast<double>(num_texels) * 1e-6,
+      num_vertices,
+      scene.NumTriangles());
   text += "triangles by material:\n";
   for (size_t i = 0; i < triangles_of_material.size(); ++i) {
     if (triangles_of_material[i] > 0) {

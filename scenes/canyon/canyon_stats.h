@@ -22,6 +22,14 @@ struct CanyonStats {
   int num_shops = 0;
   int num_dormers = 0;
   int num_chimneys = 0;
+  int num_vehicles = 0;
+  int num_trees = 0;
+  int num_people = 0;
+  int num_lamps = 0;
+  /// Signals, plates, columns and shelters.
+  int num_signs = 0;
+  int num_wires = 0;
+  int num_painted_walls = 0;
   /// Greatest and least height of an eave or parapet above the carriageway.
   double least_height_m = 0.0;
   double greatest_height_m = 0.0;

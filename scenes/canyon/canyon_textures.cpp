@@ -130,6 +130,23 @@ SurfaceTexture PlasterTexture() {
   });
 }
 
+SurfaceTexture TrimTexture() {
+  return Paint("trim", 512, 2.4, true, [](double x, double y) {
+    const double broad = TileFractal(15, 3, 4, x, y);
+    const double patch = TileFractal(16, 12, 4, x, y);
+    const double streak = TileNoise(17, 96, x, 0.0) * TileFractal(18, 4, 3, x, y);
+    const double grain = TileNoise(19, 256, x, y);
+    // Soot stays where rain does not reach; chips show lighter stone.
+    const double soot = Ramp(0.42, 0.75, broad) * (0.35 + 0.65 * patch);
+    const double chip = Ramp(0.70, 0.74, TileFractal(20, 40, 2, x, y));
+    const double value = 0.93 - 0.38 * soot - 0.22 * streak + 0.07 * (grain - 0.5) + 0.06 * chip;
+    const Rgb color(static_cast<float>(value),
+                    static_cast<float>(value - 0.008),
+                    static_cast<float>(value - 0.026));
+    return SurfacePoint{color, 0.0008 * grain + 0.002 * patch - 0.003 * chip};
+  });
+}
+
 SurfaceTexture BrickTexture(bool is_red) {
   const Rgb dark = is_red ? Rgb(0.42F, 0.27F, 0.22F) : Rgb(0.55F, 0.47F, 0.33F);
   const Rgb light = is_red ? Rgb(0.64F, 0.43F, 0.34F) : Rgb(0.80F, 0.72F, 0.53F);

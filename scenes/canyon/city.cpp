@@ -7,6 +7,7 @@
 #include "scenes/canyon/facade.h"
 #include "scenes/canyon/party_wall.h"
 #include "scenes/canyon/roof.h"
+#include "scenes/canyon/street_life.h"
 #include "scenes/canyon/street_plan.h"
 #include "scenes/canyon/street_surface.h"
 
@@ -43,15 +44,21 @@ double SightDistance(const SurfaceFrame& facade, double width_m, const std::vect
   return least_m;
 }
 
-std::vector<Lod> LodsOf(const Building& building, const StreetPlan& plan) {
+void SetSightDistances(const StreetPlan& plan, Building& building) {
+  for (size_t edge = 0; edge < building.lot.edges.size(); ++edge) {
+    building.sight_m.push_back(
+        SightDistance(FrameOfEdge(building, edge), EdgeLength(building, edge), plan.drive_path_m));
+  }
+}
+
+std::vector<Lod> LodsOf(const Building& building) {
   std::vector<Lod> lods;
   for (size_t edge = 0; edge < building.lot.edges.size(); ++edge) {
     if (building.lot.edges[edge] != EdgeKind::kStreet) {
       lods.push_back(Lod::kFlush);
       continue;
     }
-    const double distance_m =
-        SightDistance(FrameOfEdge(building, edge), EdgeLength(building, edge), plan.drive_path_m);
+    const double distance_m = building.sight_m[edge];
     lods.push_back(distance_m < kFineReach_m     ? Lod::kFine
                    : distance_m < kMediumReach_m ? Lod::kMedium
                                                  : Lod::kCoarse);
@@ -64,12 +71,23 @@ void CountBuilding(const Building& building, CanyonStats& stats) {
       stats.num_buildings == 0 ? building.eave_m : std::min(stats.least_height_m, building.eave_m);
   stats.greatest_height_m = std::max(stats.greatest_height_m, building.eave_m);
   ++stats.num_buildings;
-  ++stats.buildings_by_style[std::string(NameOf(building.style))];
+  ++stats.buildings_by_style[building.photo ? "photo" : std::string(NameOf(building.style))];
   ++stats.buildings_by_roof[std::string(NameOf(building.roof))];
   stats.num_floors += building.num_upper_floors + 1;
 }
 
+/// Gives a house a photograph that fits its height, and takes away what would hide it.
+void UsePhoto(const FacadePhotos& photos, Building& building) {
+  building.photo = ChoosePhoto(photos, building.eave_m, building.seed);
+  if (building.photo) {
+    building.balcony = BalconyPattern::kNone;
+    building.has_string_courses = false;
+    building.cornice_m = building.style == FacadeStyle::kGlass ? 0.0 : 0.2;
+  }
+}
+
 std::vector<Building> DesignBlock(const Block& block,
+                                  const FacadePhotos* photos,
                                   const CanyonSpec& canyon,
                                   const StreetPlan& plan,
                                   const Palette& palette,
@@ -82,6 +100,9 @@ std::vector<Building> DesignBlock(const Block& block,
   std::vector<Building> houses;
   for (size_t i = 0; i < lots.size(); ++i) {
     houses.push_back(DesignBuilding(lots[i], canyon, character, palette, HashKey({seed, 3, i})));
+    if (photos != nullptr) {
+      UsePhoto(*photos, houses.back());
+    }
   }
   return houses;
 }
@@ -98,16 +119,15 @@ void BuildBlock(const BuildContext& context,
                                             : fmt::format("district_{}", block_idx % 4));
   context.builder.SetTextureOffset(Vec2d::Zero());
   BuildPavement(context, block);
-  if (context.detail > 0.0) {
-    BuildLamps(context, block, plan);
-  }
-  const std::vector<Building> houses =
-      DesignBlock(block, canyon, plan, context.palette, HashKey({canyon.seed, 4, block_idx}));
+  FurnishBlock(context, block, plan, HashKey({canyon.seed, 5, block_idx}));
+  std::vector<Building> houses = DesignBlock(
+      block, context.photos, canyon, plan, context.palette, HashKey({canyon.seed, 4, block_idx}));
   for (size_t i = 0; i < houses.size(); ++i) {
     RandomStream random({houses[i].seed, 40});
     context.builder.SetTextureOffset({random.Uniform(0.0, 8.0), random.Uniform(0.0, 8.0)});
     CountBuilding(houses[i], context.stats);
-    const std::vector<Lod> lods = LodsOf(houses[i], plan);
+    SetSightDistances(plan, houses[i]);
+    const std::vector<Lod> lods = LodsOf(houses[i]);
     BuildFacades(context, houses[i], lods);
     BuildBlankWalls(houses, i, context.builder);
     BuildRoof(context, houses[i], lods);
@@ -123,6 +143,8 @@ void BuildCity(const BuildContext& context, const CanyonSpec& canyon, const Driv
   for (size_t i = 0; i < plan.blocks.size(); ++i) {
     BuildBlock(context, plan.blocks[i], canyon, plan, i);
   }
+  context.builder.BeginGroup("wires");
+  HangWires(context, plan, HashKey({canyon.seed, 6}));
   context.stats.num_blocks = static_cast<int>(plan.blocks.size());
 }
 

@@ -3,8 +3,11 @@
 
 #include "scenes/canyon/balcony.h"
 #include "scenes/canyon/curtain_wall.h"
+#include "scenes/canyon/facade_clutter.h"
 #include "scenes/canyon/ground_floor.h"
 #include "scenes/canyon/moulding.h"
+#include "scenes/canyon/painted_front.h"
+#include "scenes/canyon/photo_front.h"
 #include "scenes/canyon/window.h"
 
 #include <algorithm>
@@ -23,6 +26,7 @@ struct Front {
   double width_m = 0.0;
   BayGrid grid;
   Lod lod = Lod::kCoarse;
+  double sight_m = 0.0;
 };
 
 Opening WindowOpening(const Building& building, const Front& front, int bay, double floor_m) {
@@ -108,16 +112,20 @@ void BuildUpperFloors(const BuildContext& context,
       BuildWindow(context, fitted, front.frame, opening, building.wall, front.lod, random);
       if (front.lod <= Lod::kMedium && context.detail > 0.0) {
         BuildBalconyAt(context, building, front, opening, floor, bay, floor_m);
+        if (front.lod == Lod::kFine) {
+          RandomStream clutter(
+              {building.seed, 41, static_cast<uint64_t>(bay), static_cast<uint64_t>(floor)});
+          const bool has_balcony = building.balcony != BalconyPattern::kNone;
+          BuildWindowClutter(context, front.frame, opening, has_balcony, clutter);
+        }
       }
     }
     columns.push_back(column);
   }
-  BuildWallWithOpenings(context.builder,
-                        building.wall,
-                        front.frame,
-                        {0.0, foot_m},
-                        {front.width_m, building.eave_m},
-                        columns);
+  const WallRect area{{0.0, foot_m}, {front.width_m, building.eave_m}};
+  const int wall = OrderWall(
+      context, building, front.frame, building.wall, area, columns, front.sight_m, front.lod);
+  BuildWallWithOpenings(context.builder, wall, front.frame, area.low_m, area.high_m, columns);
 }
 
 /// Backs: the same grid of windows on all floors, in one wall.
@@ -159,9 +167,20 @@ void BuildStreetFront(const BuildContext& context,
                       const Front& front,
                       bool has_door,
                       RandomStream& random) {
+  if (building.photo && front.lod <= Lod::kMedium) {
+    BuildPhotoFront(context, building, front.frame, front.width_m, front.sight_m);
+    return;
+  }
   const double head_m = kKerbHeight_m + building.ground_floor_m;
-  BuildGroundFloor(
-      context, building, front.frame, front.width_m, head_m, has_door, front.lod, random);
+  BuildGroundFloor(context,
+                   building,
+                   front.frame,
+                   front.width_m,
+                   head_m,
+                   has_door,
+                   front.sight_m,
+                   front.lod,
+                   random);
   if (building.style == FacadeStyle::kGlass && building.num_upper_floors > 0) {
     BuildCurtainWall(context, building, front.frame, front.width_m, head_m, front.lod, random);
     return;
@@ -222,6 +241,7 @@ void BuildFacades(const BuildContext& context,
     front.width_m = EdgeLength(building, edge);
     front.grid = GridOf(building, front.width_m);
     front.lod = lods[edge];
+    front.sight_m = building.sight_m.empty() ? 0.0 : building.sight_m[edge];
     if (kind == EdgeKind::kCourt) {
       BuildCourtFront(context, building, front, random);
     } else {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/canyon/ground_floor.h"
 
+#include "scenes/canyon/facade_clutter.h"
+#include "scenes/canyon/painted_front.h"
 #include "scenes/canyon/shapes.h"
 
 #include <algorithm>
@@ -236,6 +238,10 @@ void BuildShop(const BuildContext& context,
     return;
   }
   BuildSign(context, front, facade, opening, random);
+  RandomStream hanging({building.seed, 42, random.Bits()});
+  if (!has_awning && hanging.Chance(std::min(1.0, 0.45 * context.street_life))) {
+    BuildHangingSign(context, facade, opening.low_m.x() - 0.02, opening.high_m.y() + 0.9, hanging);
+  }
   if (has_awning) {
     BuildAwning(
         context, cloth, facade, opening.low_m.x(), opening.high_m.x(), opening.high_m.y() + 0.05);
@@ -250,6 +256,7 @@ void BuildGroundFloor(const BuildContext& context,
                       double width_m,
                       double head_m,
                       bool has_door,
+                      double sight_m,
                       Lod lod,
                       RandomStream& random) {
   const std::vector<Unit> units = PlanUnits(building, width_m, head_m, has_door, random);
@@ -259,8 +266,15 @@ void BuildGroundFloor(const BuildContext& context,
                        unit.opening.high_m.x(),
                        {{unit.opening.low_m.y(), unit.opening.high_m.y()}}});
   }
-  BuildWallWithOpenings(
-      context.builder, building.ground_wall, facade, {0.0, kFoot_m}, {width_m, head_m}, columns);
+  const int wall = OrderWall(context,
+                             building,
+                             facade,
+                             building.ground_wall,
+                             {{0.0, kFoot_m}, {width_m, head_m}},
+                             columns,
+                             sight_m,
+                             lod);
+  BuildWallWithOpenings(context.builder, wall, facade, {0.0, kFoot_m}, {width_m, head_m}, columns);
   Building plain = building;
   plain.window.has_shutters = false;
   for (const Unit& unit : units) {

@@ -15,6 +15,7 @@ void BuildGroundFloor(const BuildContext& context,
                       double width_m,
                       double head_m,
                       bool has_door,
+                      double sight_m,
                       Lod lod,
                       RandomStream& random);
 

@@ -3,6 +3,7 @@
 
 #include "renderer/core/check.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -22,22 +23,34 @@ Vec3d AreaVector(std::span<const Vec3d> corners_m) {
   return sum;
 }
 
+/// On a grid of 0.01 mm: what another processor's sine differs in its last digit does not show.
+Vec3f OnGrid(const Vec3d& position_m) {
+  constexpr double kPerM = 1e5;
+  return (position_m * kPerM).array().round().matrix().cast<float>() / static_cast<float>(kPerM);
+}
+
 }  // namespace
 
-MeshBuilder::MeshBuilder(std::vector<double> texture_size_m)
-    : texture_size_m_(std::move(texture_size_m)) {}
-
-void MeshBuilder::BeginGroup(const std::string& name) {
-  group_ = &groups_[name];
-  group_->resize(texture_size_m_.size());
+MeshBuilder::MeshBuilder(const std::vector<double>& texture_size_m) {
+  for (const double size_m : texture_size_m) {
+    placements_.push_back({Vec2d::Constant(size_m), Vec2d::Zero(), false});
+  }
 }
+
+int MeshBuilder::AddMaterial(const TexturePlacement& placement) {
+  placements_.push_back(placement);
+  return static_cast<int>(placements_.size()) - 1;
+}
+
+void MeshBuilder::BeginGroup(const std::string& name) { group_ = &groups_[name]; }
 
 Mesh& MeshBuilder::MeshOf(int material_idx) {
   PFSEQ_CHECK(group_ != nullptr);
-  PFSEQ_CHECK(material_idx >= 0 && static_cast<size_t>(material_idx) < group_->size(),
+  PFSEQ_CHECK(material_idx >= 0 && static_cast<size_t>(material_idx) < placements_.size(),
               "material {} of {}",
               material_idx,
-              group_->size());
+              placements_.size());
+  group_->resize(std::max(group_->size(), static_cast<size_t>(material_idx) + 1));
   return (*group_)[static_cast<size_t>(material_idx)];
 }
 
@@ -50,15 +63,21 @@ void MeshBuilder::Polygon(int material_idx, std::span<const Vec3d> corners_m) {
   const bool is_level = std::abs(normal.z()) > 0.999;
   const Vec3d tangent = is_level ? Vec3d::UnitX() : Vec3d::UnitZ().cross(normal).normalized();
   const Vec3d upward = normal.cross(tangent);
-  const double per_m = 1.0 / texture_size_m_[static_cast<size_t>(material_idx)];
+  PFSEQ_CHECK(static_cast<size_t>(material_idx) < placements_.size());
+  const TexturePlacement& placement = placements_[static_cast<size_t>(material_idx)];
+  // v runs down: a tiled texture's from its offset, a fixed one's from the top of its place.
+  const Vec2d left_top_m =
+      placement.is_fixed
+          ? Vec2d(placement.low_m.x(), placement.low_m.y() + placement.size_m.y())
+          : Vec2d(-texture_offset_m_.x(), texture_offset_m_.y());
 
   Mesh& mesh = MeshOf(material_idx);
   const size_t first = mesh.positions_m.size();
   for (const Vec3d& corner_m : corners_m) {
-    mesh.positions_m.emplace_back(corner_m.cast<float>());
-    const Vec2d texcoord((tangent.dot(corner_m) + texture_offset_m_.x()) * per_m,
-                         (texture_offset_m_.y() - upward.dot(corner_m)) * per_m);
-    mesh.texcoords.emplace_back(texcoord.cast<float>());
+    mesh.positions_m.push_back(OnGrid(corner_m));
+    const Vec2d from_left_top_m(tangent.dot(corner_m) - left_top_m.x(),
+                                left_top_m.y() - upward.dot(corner_m));
+    mesh.texcoords.emplace_back(from_left_top_m.cwiseQuotient(placement.size_m).cast<float>());
   }
   for (size_t i = 1; i + 1 < corners_m.size(); ++i) {
     if (AreaVector(std::array{corners_m[0], corners_m[i], corners_m[i + 1]}).norm() >
@@ -99,7 +118,7 @@ void MeshBuilder::PictureQuad(int material_idx,
   Mesh& mesh = MeshOf(material_idx);
   const size_t first = mesh.positions_m.size();
   for (const Vec3d* corner_m : {&a, &b, &c, &d}) {
-    mesh.positions_m.emplace_back(corner_m->cast<float>());
+    mesh.positions_m.push_back(OnGrid(*corner_m));
   }
   for (const Vec2d& texcoord : {Vec2d(window.u0, window.v1),
                                 Vec2d(window.u1, window.v1),
@@ -113,7 +132,7 @@ void MeshBuilder::PictureQuad(int material_idx,
 }
 
 std::vector<Mesh> MeshBuilder::TakeMeshes(std::span<const Material> materials) {
-  PFSEQ_CHECK(materials.size() == texture_size_m_.size());
+  PFSEQ_CHECK(materials.size() == placements_.size());
   std::vector<Mesh> meshes;
   for (auto& [name, group] : groups_) {
     for (size_t i = 0; i < group.size(); ++i) {

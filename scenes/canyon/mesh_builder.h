@@ -47,12 +47,24 @@ struct TextureWindow {
   }
 };
 
+/// Where the unit square of a material's textures lies on a surface: its size along the horizontal
+/// and up the face, and its lower left corner there.
+struct TexturePlacement {
+  Vec2d size_m = Vec2d::Ones();
+  Vec2d low_m = Vec2d::Zero();
+  /// Not shifted by SetTextureOffset.
+  bool is_fixed = false;
+};
+
 /// Polygons are counter-clockwise seen from outside; each has vertices of its own (flat shading).
 class MeshBuilder {
  public:
   /// `texture_size_m[i]`: the edge of the square that one repetition of material i's textures
   /// covers.
-  explicit MeshBuilder(std::vector<double> texture_size_m);
+  explicit MeshBuilder(const std::vector<double>& texture_size_m);
+
+  /// A further material; returns its index.
+  int AddMaterial(const TexturePlacement& placement);
 
   /// What follows goes into the meshes of this group; a group may be taken up again.
   void BeginGroup(const std::string& name);
@@ -89,7 +101,7 @@ class MeshBuilder {
  private:
   Mesh& MeshOf(int material_idx);
 
-  std::vector<double> texture_size_m_;
+  std::vector<TexturePlacement> placements_;
   std::map<std::string, std::vector<Mesh>> groups_;
   std::vector<Mesh>* group_ = nullptr;
   Vec2d texture_offset_m_ = Vec2d::Zero();

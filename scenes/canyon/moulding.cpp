@@ -139,7 +139,9 @@ void BuildBands(const BuildContext& context, const Building& building, const Edg
                                           Vec2d(0.0, high_m)};
     AddMoulding(context.builder, building.trim, run.path, profile);
   };
-  band(head_m - 0.17, head_m - 0.02, 0.07);
+  if (!building.photo) {
+    band(head_m - 0.17, head_m - 0.02, 0.07);
+  }
   const bool has_balconies =
       building.balcony != BalconyPattern::kNone && building.balcony != BalconyPattern::kFrench;
   for (int floor = 1; building.has_string_courses && floor < building.num_upper_floors; ++floor) {

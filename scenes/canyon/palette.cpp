@@ -92,6 +92,7 @@ class PaletteMaker {
 void AddWalls(PaletteMaker& maker) {
   Palette& palette = maker.Result();
   const Skin plaster = maker.Add(PlasterTexture());
+  const Skin trim = maker.Add(TrimTexture());
   palette.plaster = maker.AddAll("plaster",
                                  {0xF3EAD2,
                                   0xEFDDB4,
@@ -106,7 +107,7 @@ void AddWalls(PaletteMaker& maker) {
                                  plaster,
                                  0.95F);
   palette.blank_wall = maker.AddAll("render", {0xC9C2B4, 0xD6CDBB, 0xB4AFA6}, plaster, 0.95F);
-  palette.trim = maker.AddAll("trim", {0xF0E9DA, 0xDDD3BE, 0xCFC8BA, 0xB9B2A4}, plaster, 0.85F);
+  palette.trim = maker.AddAll("trim", {0xF0E9DA, 0xDDD3BE, 0xCFC8BA, 0xB9B2A4}, trim, 0.85F);
   const Skin red_brick = maker.Add(BrickTexture(true));
   Skin buff_brick = maker.Add(BrickTexture(false));
   palette.brick = maker.AddAll("brick_red", {0xFFFFFF, 0xE6D2C8, 0xF0DCC0}, red_brick, 0.9F);
@@ -119,6 +120,16 @@ void AddWalls(PaletteMaker& maker) {
   palette.concrete =
       maker.AddAll("concrete", {0xCFCBC2, 0xB9B8B3, 0xDAD2C0, 0xE4E1DA}, concrete, 0.9F);
   palette.coping = maker.Add("coping", 0xBDB9B0, concrete, 0.9F);
+  const auto made_of = [&](const std::vector<int>& walls, WallSurface surface) {
+    for (const int wall : walls) {
+      palette.wall_surface[wall] = surface;
+    }
+  };
+  made_of(palette.plaster, WallSurface::kPlaster);
+  made_of(palette.trim, WallSurface::kPlaster);
+  made_of(palette.brick, WallSurface::kBrick);
+  made_of(palette.ashlar, WallSurface::kAshlar);
+  made_of(palette.concrete, WallSurface::kConcrete);
 }
 
 void AddOpenings(PaletteMaker& maker) {
@@ -178,6 +189,33 @@ void AddGround(PaletteMaker& maker) {
   palette.manhole = maker.Add("manhole", 0x3A3836, plain, 0.5F, 0.6F);
 }
 
+void AddStreetLife(PaletteMaker& maker) {
+  Palette& palette = maker.Result();
+  const Skin plain;
+  palette.car_paint =
+      maker.AddAll("car_paint",
+                   {0xD9DADB, 0x1E2023, 0x7D8286, 0x1F3050, 0x6B1A1C, 0xE8E6E0, 0x4A5A50},
+                   plain,
+                   0.22F);
+  palette.cloth =
+      maker.AddAll("cloth",
+                   {0x1D2230, 0x2E2A28, 0x6E2A2E, 0x3C5068, 0x8A7A60, 0xC9C4B8, 0x3A4A38, 0xB48A30},
+                   plain,
+                   0.95F);
+  palette.leaf = maker.AddAll("leaf", {0x4F6B2A, 0x5E7A30, 0x3F5A2C, 0x77803A}, plain, 0.6F);
+  palette.bloom = maker.AddAll("leaf_bloom", {0xC02A3A, 0xE8C040, 0xD878A0}, plain, 0.7F);
+  palette.car_glass = maker.Add("car_glass", 0x1C2224, plain, 0.03F);
+  palette.tyre = maker.Add("tyre", 0x1B1B1B, plain, 0.8F);
+  palette.tail_lamp = maker.Add("tail_lamp", 0x9A1414, plain, 0.2F);
+  palette.head_lamp = maker.Add("head_lamp", 0xE4E6E2, plain, 0.15F);
+  palette.signal_green = maker.Add("signal_green", 0x2FA06A, plain, 0.3F);
+  palette.skin = maker.Add("skin", 0xB98A6C, plain, 0.7F);
+  palette.bark = maker.Add("bark", 0x5A5046, plain, 0.95F);
+  palette.wire = maker.Add("wire", 0x161616, plain, 0.6F);
+  palette.street_picture =
+      maker.Add("street_picture", 0xFFFFFF, {maker.Add(StreetPictureAtlas()), -1, 1.0}, 0.4F);
+}
+
 }  // namespace
 
 Palette MakePalette() {
@@ -186,6 +224,7 @@ Palette MakePalette() {
   AddOpenings(maker);
   AddRoofsAndMetal(maker);
   AddGround(maker);
+  AddStreetLife(maker);
   return std::move(maker.Result());
 }
 

@@ -4,7 +4,9 @@
 
 #include "renderer/core/random.h"
 #include "renderer/trace/scene.h"
+#include "scenes/canyon/wall_surface.h"
 
+#include <map>
 #include <vector>
 
 namespace pfseq {
@@ -15,6 +17,8 @@ struct Palette {
   std::vector<Texture> textures;
   /// The square that one repetition of each material's textures covers.
   std::vector<double> texture_size_m;
+  /// What the walls among the materials are made of.
+  std::map<int, WallSurface> wall_surface;
 
   std::vector<int> plaster;
   std::vector<int> brick;
@@ -49,6 +53,21 @@ struct Palette {
   int kerb = 0;
   int marking = 0;
   int manhole = 0;
+
+  std::vector<int> car_paint;
+  std::vector<int> cloth;
+  std::vector<int> leaf;
+  /// Blossoms, sheets like leaves.
+  std::vector<int> bloom;
+  int car_glass = 0;
+  int tyre = 0;
+  int tail_lamp = 0;
+  int head_lamp = 0;
+  int signal_green = 0;
+  int skin = 0;
+  int bark = 0;
+  int wire = 0;
+  int street_picture = 0;
 };
 
 /// The same on every call.

@@ -2,13 +2,12 @@
 // Pictures behind glass and on boards: the atlases of canyon_textures.h.
 #include "renderer/core/random.h"
 #include "scenes/canyon/canyon_textures.h"
-#include "scenes/canyon/pixel_font.h"
+#include "scenes/canyon/fractal_tile.h"
 #include "scenes/canyon/texture_noise.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 
 namespace pfseq {
 namespace {
@@ -63,14 +62,28 @@ void PaintRoom(RandomStream& random, Picture& picture) {
     return Rgb(
         static_cast<float>(value), static_cast<float>(value), static_cast<float>(value * 1.08));
   });
-  for (int i = random.Integer(0, 2); i > 0; --i) {
-    const double x = random.Uniform(0.1, 0.8);
-    const double y = random.Uniform(0.45, 0.8);
+  // The back wall with what hangs and stands there.
+  const double back = base + random.Uniform(0.02, 0.1);
+  picture.FillFlat(0.12, 0.22, 0.88, 0.9, Rgb(Rgb(1.06F, 1.0F, 0.9F) * static_cast<float>(back)));
+  for (int i = random.Integer(1, 5); i > 0; --i) {
+    const double x = random.Uniform(0.14, 0.75);
+    const double y = random.Uniform(0.3, 0.75);
+    const double width = random.Uniform(0.05, 0.2);
+    const double height = random.Uniform(0.06, 0.22);
+    const double tone = random.Uniform(0.08, 0.4);
+    picture.FillFlat(x - 0.008, y - 0.006, x + width + 0.008, y + height + 0.006, Gray(0.4 * tone));
     picture.FillFlat(x,
                      y,
-                     x + random.Uniform(0.06, 0.2),
-                     y + random.Uniform(0.08, 0.2),
-                     Gray(random.Uniform(0.12, 0.28)));
+                     x + width,
+                     y + height,
+                     Rgb(static_cast<float>(tone * random.Uniform(0.8, 1.3)),
+                         static_cast<float>(tone),
+                         static_cast<float>(tone * random.Uniform(0.6, 1.2))));
+  }
+  if (random.Chance(0.3)) {
+    const double x = random.Uniform(0.25, 0.7);
+    picture.FillFlat(x, 0.0, x + 0.012, 0.16, Gray(0.05));
+    picture.FillFlat(x - 0.06, 0.15, x + 0.07, 0.23, Rgb(0.85F, 0.76F, 0.55F));
   }
 }
 
@@ -89,8 +102,9 @@ void PaintCurtain(double x0, double x1, RandomStream& random, Picture& picture, 
   const double folds = random.Uniform(18.0, 34.0);
   const double phase = random.Uniform(0.0, 6.0);
   picture.Fill(x0, 0.0, x1, 1.0, [&](double x, double y) {
-    const double fold =
-        0.80 + 0.14 * std::sin(folds * x + phase) + 0.06 * std::sin(2.7 * folds * x);
+    const double fold = 0.76 + 0.16 * std::sin(folds * x + phase + 0.5 * std::sin(3.0 * y)) +
+                        0.07 * std::sin(2.7 * folds * x) +
+                        0.03 * SharedFractal().At(90.0 * x, 6.0 * y);
     return Rgb(color * static_cast<float>(fold * (0.92 - 0.12 * y)));
   });
 }
@@ -110,9 +124,30 @@ void PaintInterior(RandomStream& random, Picture& picture) {
     picture.Fill(0.0, 0.0, 1.0, drop, [&](double, double y) {
       return Rgb(color * static_cast<float>(0.86 + 0.08 * std::sin(160.0 * y)));
     });
-  } else if (kind < 0.80) {
-    picture.FillFlat(0.08, 0.74, 0.30, 1.0, Rgb(0.10F, 0.20F, 0.09F));
-    picture.FillFlat(0.62, 0.82, 0.80, 1.0, Rgb(0.14F, 0.24F, 0.10F));
+  } else if (kind < 0.86) {
+    // Things on the sill: pots and leaves, a lamp, books.
+    for (double x = random.Uniform(0.04, 0.2); x < 0.9; x += random.Uniform(0.1, 0.3)) {
+      const double pot = random.Uniform(0.05, 0.09);
+      const Rgb clay(0.42F, 0.24F, 0.16F);
+      picture.FillFlat(
+          x, 0.93, x + pot, 1.0, random.Chance(0.5) ? clay : Gray(random.Uniform(0.2, 0.8)));
+      for (int leaf = random.Integer(0, 14); leaf > 0; --leaf) {
+        const double u = x + random.Uniform(-0.05, pot + 0.02);
+        const double v = random.Uniform(0.74, 0.93);
+        picture.FillFlat(u,
+                         v,
+                         u + 0.035,
+                         v + 0.03,
+                         Rgb(0.12F, 0.25F, 0.09F) * static_cast<float>(random.Uniform(0.5, 1.6)));
+      }
+    }
+  }
+  if (random.Chance(0.25)) {
+    // A net before it all, over the lower part.
+    const double top = random.Uniform(0.3, 0.6);
+    picture.Fill(0.0, top, 1.0, 1.0, [&](double x, double y) {
+      return Gray(0.62 + 0.08 * std::sin(70.0 * x) + 0.04 * std::sin(240.0 * (y - top)));
+    });
   }
 }
 
@@ -174,42 +209,10 @@ void PaintShop(RandomStream& random, Picture& picture) {
   }
 }
 
-void PaintSign(std::string_view text, RandomStream& random, Picture& picture) {
-  constexpr std::array<std::array<float, 3>, 7> kBoards = {{{0.14F, 0.22F, 0.18F},
-                                                            {0.38F, 0.09F, 0.09F},
-                                                            {0.10F, 0.14F, 0.28F},
-                                                            {0.12F, 0.12F, 0.12F},
-                                                            {0.86F, 0.83F, 0.74F},
-                                                            {0.30F, 0.20F, 0.12F},
-                                                            {0.80F, 0.62F, 0.18F}}};
-  const auto& board = kBoards[static_cast<size_t>(random.Integer(0, 6))];
-  const Rgb ground(board[0], board[1], board[2]);
-  const Rgb ink = ground.mean() < 0.5F ? Rgb(0.93F, 0.90F, 0.80F) : Rgb(0.12F, 0.10F, 0.10F);
-  picture.FillFlat(0.0, 0.0, 1.0, 1.0, ground);
-  picture.FillFlat(0.0, 0.04, 1.0, 0.08, Rgb(0.5F * (ground + ink)));
-  picture.FillFlat(0.0, 0.92, 1.0, 0.96, Rgb(0.5F * (ground + ink)));
-  // Cells of a 5 x 7 font, six columns a letter; the board is eight times as wide as high.
-  const double cell_y = 0.62 / 7.0;
-  const double cell_x = std::min(cell_y / 8.0, 0.92 / (6.0 * static_cast<double>(text.size())));
-  double left = 0.5 - 0.5 * cell_x * (6.0 * static_cast<double>(text.size()) - 1.0);
-  for (const char letter : text) {
-    for (int row = 0; row < kFontRows; ++row) {
-      for (int column = 0; column < kFontColumns; ++column) {
-        if (FontPixel(letter, column, row)) {
-          const double x = left + column * cell_x;
-          const double y = 0.19 + row * cell_y;
-          picture.FillFlat(x, y, x + cell_x, y + cell_y, ink);
-        }
-      }
-    }
-    left += 6.0 * cell_x;
-  }
-}
-
 }  // namespace
 
 Texture WindowAtlas(bool with_frames) {
-  constexpr int kCell_px = 128;
+  constexpr int kCell_px = 144;
   Texture atlas{with_frames ? "windows_framed" : "windows",
                 Image<uint8_t>(kCell_px * kWindowAtlasCells, kCell_px * kWindowAtlasCells, 4),
                 true};
@@ -235,27 +238,6 @@ Texture ShopAtlas() {
       Picture picture(atlas.texels, column * kCell_px, row * kCell_px, kCell_px, kCell_px);
       RandomStream random({202, static_cast<uint64_t>(row), static_cast<uint64_t>(column)});
       PaintShop(random, picture);
-    }
-  }
-  return atlas;
-}
-
-Texture SignAtlas() {
-  constexpr std::array<std::string_view, 32> kWords = {
-      "BAKERY",   "CAFE",     "BOOKS",  "PHARMACY", "FLOWERS",  "WINE BAR", "HAIR",    "TAILOR",
-      "OPTICIAN", "SHOES",    "MARKET", "HOTEL",    "DELI",     "GALLERY",  "MUSIC",   "BICYCLES",
-      "BISTRO",   "JEWELLER", "CLINIC", "ANTIQUES", "TEA ROOM", "HARDWARE", "TOYS",    "FABRICS",
-      "BANK",     "COFFEE",   "PRINTS", "BUTCHER",  "CHEESE",   "TRAVEL",   "LAUNDRY", "BARBER"};
-  constexpr int kWidth_px = 512;
-  constexpr int kHeight_px = 64;
-  Texture atlas{
-      "signs", Image<uint8_t>(kWidth_px * kSignAtlasColumns, kHeight_px * kSignAtlasRows, 4), true};
-  for (int row = 0; row < kSignAtlasRows; ++row) {
-    for (int column = 0; column < kSignAtlasColumns; ++column) {
-      Picture picture(atlas.texels, column * kWidth_px, row * kHeight_px, kWidth_px, kHeight_px);
-      const auto idx = static_cast<size_t>(row * kSignAtlasColumns + column);
-      RandomStream random({203, static_cast<uint64_t>(idx)});
-      PaintSign(kWords[idx], random, picture);
     }
   }
   return atlas;

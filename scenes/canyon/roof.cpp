@@ -3,6 +3,7 @@
 
 #include "scenes/canyon/dormer.h"
 #include "scenes/canyon/facade.h"
+#include "scenes/canyon/roof_props.h"
 #include "scenes/canyon/shapes.h"
 
 #include <algorithm>
@@ -15,60 +16,6 @@ namespace {
 constexpr double kParapet_m = 0.25;
 /// Things on roofs begin this far below the roof's surface.
 constexpr double kSunk_m = 0.03;
-
-/// The upright frame with the world's axes at a point: right is +X, out is -Y.
-SurfaceFrame WorldFrame(const Vec3d& origin_m) {
-  SurfaceFrame frame;
-  frame.origin_m = origin_m;
-  return frame;
-}
-
-/// A box over a rectangle of the plane, [low, high] in z.
-void AddBlock(MeshBuilder& builder,
-              int material_idx,
-              const Vec2d& center_m,
-              const Vec2d& size_m,
-              double low_m,
-              double high_m) {
-  AddBox(builder,
-         material_idx,
-         WorldFrame(Lift(center_m, 0.0)),
-         {-0.5 * size_m.x(), low_m, -0.5 * size_m.y()},
-         {0.5 * size_m.x(), high_m, 0.5 * size_m.y()},
-         kFacesSides | kFaceTop);
-}
-
-/// A brick stack with a slab and pots; `foot_m` lies under the roof.
-void BuildChimney(const BuildContext& context,
-                  int wall,
-                  const Vec2d& center_m,
-                  const Vec2d& size_m,
-                  double foot_m,
-                  double top_m,
-                  RandomStream& random) {
-  MeshBuilder& builder = context.builder;
-  ++context.stats.num_chimneys;
-  AddBlock(builder, wall, center_m, size_m, foot_m, top_m);
-  AddBox(builder,
-         context.palette.coping,
-         WorldFrame(Lift(center_m, 0.0)),
-         {-0.5 * size_m.x() - 0.06, top_m - 0.04, -0.5 * size_m.y() - 0.06},
-         {0.5 * size_m.x() + 0.06, top_m + 0.07, 0.5 * size_m.y() + 0.06},
-         kFacesAll);
-  const bool along_x = size_m.x() > size_m.y();
-  const double length_m = along_x ? size_m.x() : size_m.y();
-  const int num_pots = std::max(1, static_cast<int>(std::floor(length_m / 0.38)));
-  for (int i = 0; i < num_pots; ++i) {
-    const double along_m = (i - 0.5 * (num_pots - 1)) * 0.36;
-    const Vec2d at_m = center_m + (along_x ? Vec2d(along_m, 0.0) : Vec2d(0.0, along_m));
-    AddPillar(builder,
-              context.palette.chimney_pot,
-              Lift(at_m, top_m + 0.05),
-              0.11,
-              random.Uniform(0.35, 0.6),
-              8);
-  }
-}
 
 void BuildLiftHouse(const BuildContext& context,
                     const Building& building,
@@ -90,23 +37,6 @@ void BuildLiftHouse(const BuildContext& context,
          {-0.45, roof_m - kSunk_m, 0.5 * size_m.y()},
          {0.45, roof_m + 2.05, 0.5 * size_m.y() + 0.03},
          kFacesOnWall);
-}
-
-/// A mast with cross bars.
-void BuildAntenna(const BuildContext& context, const Vec3d& foot_m, RandomStream& random) {
-  const double height_m = random.Uniform(1.8, 3.2);
-  const int material = context.palette.pale_metal;
-  AddPillar(context.builder, material, foot_m, 0.022, height_m, 6);
-  for (int i = 0; i < 4; ++i) {
-    const double z_m = height_m - 0.15 - 0.16 * i;
-    const double half_m = 0.28 + 0.07 * i;
-    AddBox(context.builder,
-           material,
-           WorldFrame(foot_m),
-           {-half_m, z_m - 0.01, -0.01},
-           {half_m, z_m + 0.01, 0.01},
-           kFacesAll);
-  }
 }
 
 void BuildVents(const BuildContext& context,
@@ -332,6 +262,9 @@ void BuildRoof(const BuildContext& context,
     case RoofKind::kGable:
       BuildGableRoof(context, building, lods, random);
       break;
+  }
+  if (context.detail > 0.0) {
+    BuildRoofline(context, building, lods);
   }
 }
 

@@ -122,31 +122,6 @@ std::vector<Vec2d> RoundedPolygon(const std::vector<Vec2d>& points_m, double rad
   return result;
 }
 
-void AddLamp(const BuildContext& context, const Vec2d& at_m, const Vec2d& to_street) {
-  MeshBuilder& builder = context.builder;
-  const int material = context.palette.railing;
-  constexpr double kHeight_m = 7.0;
-  const Vec3d foot_m = Lift(at_m, kKerbHeight_m - 0.02);
-  AddPillar(builder, material, foot_m, 0.11, 0.9, 8);
-  AddPillar(builder, material, foot_m, 0.06, kHeight_m, 8);
-  SurfaceFrame frame;
-  frame.origin_m = foot_m;
-  frame.out = Lift(to_street, 0.0);
-  frame.right = frame.up.cross(frame.out);
-  AddBox(builder,
-         material,
-         frame,
-         {-0.03, kHeight_m - 0.12, 0.0},
-         {0.03, kHeight_m - 0.05, 1.3},
-         kFacesAll);
-  AddBox(builder,
-         context.palette.pale_metal,
-         frame,
-         {-0.14, kHeight_m - 0.17, 0.75},
-         {0.14, kHeight_m - 0.02, 1.45},
-         kFacesAll);
-}
-
 }  // namespace
 
 void BuildCarriageways(const BuildContext& context, const StreetPlan& plan) {
@@ -195,29 +170,6 @@ void BuildPavement(const BuildContext& context, const Block& block) {
                  Lift(inner_m[i], kKerbHeight_m));
   }
   AddLevelPolygon(builder, context.palette.pavement, inner_m, kKerbHeight_m);
-}
-
-void BuildLamps(const BuildContext& context, const Block& block, const StreetPlan& plan) {
-  constexpr double kSpacing_m = 27.0;
-  constexpr double kFromKerb_m = 0.5;
-  const std::array<Vec2d, 4> corners_m = block.island.Corners();
-  const std::vector<Vec2d> island_m = ChamferedRect(block.island, block.island_chamfer_m);
-  // Along the south and the east side: each street then has lamps on one of its sides.
-  for (const BlockEdge edge : {kSouth, kEast}) {
-    const Vec2d from_m = corners_m[edge];
-    const Vec2d along_m = corners_m[(edge + 1U) % 4] - from_m;
-    const double length_m = along_m.norm();
-    const Vec2d outward = RightOf(along_m.normalized());
-    const int count = static_cast<int>(std::floor((length_m - 8.0) / kSpacing_m)) + 1;
-    for (int i = 0; block.is_street[edge] && length_m > 12.0 && i < count; ++i) {
-      const double share = (i + 0.5) / count;
-      const Vec2d at_m = from_m + share * along_m - kFromKerb_m * outward;
-      const bool on_island = DistanceToPath(island_m, {at_m}) == 0.0;
-      if (on_island && DistanceToPath({at_m, at_m}, plan.drive_path_m) < kMarkingReach_m) {
-        AddLamp(context, at_m, outward);
-      }
-    }
-  }
 }
 
 }  // namespace pfseq

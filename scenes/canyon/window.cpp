@@ -236,6 +236,13 @@ void BuildWindow(const BuildContext& context,
     glazing.glass = context.palette.window_glass;
     glazing.num_columns = opening.Width() < 0.8 ? 1 : design.num_columns;
     glazing.transom_share = opening.Height() < 1.1 ? 0.0 : design.transom_share;
+    if (RandomStream replaced({building.seed, 60, random.Bits()}); replaced.Chance(0.14)) {
+      // Someone has had a new window put in.
+      glazing.frame = Pick(context.palette.window_frame, replaced);
+      glazing.num_columns = std::max(1, glazing.num_columns - replaced.Integer(0, 1));
+      glazing.transom_share = replaced.Chance(0.7) ? 0.0 : glazing.transom_share;
+      glazing.rim_m = replaced.Uniform(0.05, 0.085);
+    }
     glazing.picture = picture;
     BuildGlazing(builder, facade, opening, frame_w_m, glazing);
   } else {

@@ -335,4 +335,8 @@ Scene ReadGltf(const std::filesystem::path& path) {
   return SceneBuilder(model, origin).Build();
 }
 
+std::string ReadGltfCopyright(const std::filesystem::path& path) {
+  return ReadGltfDocument(path).asset.copyright;
+}
+
 }  // namespace pfseq

@@ -18,6 +18,7 @@
 #include "renderer/trace/scene.h"
 
 #include <filesystem>
+#include <string>
 
 namespace pfseq {
 
@@ -26,5 +27,8 @@ namespace pfseq {
 /// bit for bit those of the file where no node moves them. InputError, one line of file, place and
 /// fault, for anything missing, damaged, out of range or not supported.
 Scene ReadGltf(const std::filesystem::path& path);
+
+/// The copyright that the file's asset names, or nothing; InputError as above.
+std::string ReadGltfCopyright(const std::filesystem::path& path);
 
 }  // namespace pfseq

@@ -3,6 +3,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
+#include "renderer/core/parallel.h"
 #include "renderer/sequence/image_io.h"
 #include "scenes/gltf/gltf_axes.h"
 #include "scenes/gltf/gltf_document.h"
@@ -25,9 +26,6 @@
 namespace pfseq {
 namespace {
 
-// The scene is written before each sequence: textures need not be small, but soon there.
-constexpr int kTexturePngLevel = 1;
-
 /// A colour below this would be taken for black by tinygltf; it is written as a brighter one of
 /// little strength.
 constexpr float kMinPlainEmission = 1e-6F;
@@ -48,6 +46,22 @@ void CheckGlbSize(uint64_t size_bytes) {
 
 tinygltf::Value ObjectValue(const char* key, tinygltf::Value value) {
   return tinygltf::Value(tinygltf::Value::Object{{key, std::move(value)}});
+}
+
+/// Three of the four channels where nothing is transparent: readers put the fourth back.
+Image<uint8_t> WithoutOpaqueAlpha(const Image<uint8_t>& rgba) {
+  const std::span<const uint8_t> from = rgba.Values();
+  for (size_t i = 3; i < from.size(); i += 4) {
+    if (from[i] != 255) {
+      return rgba;
+    }
+  }
+  Image<uint8_t> rgb(rgba.WidthPx(), rgba.HeightPx(), 3);
+  uint8_t* to = rgb.Values().data();
+  for (size_t i = 0; i < from.size(); i += 4, to += 3) {
+    std::copy_n(&from[i], 3, to);
+  }
+  return rgb;
 }
 
 /// Builds the model; the textures' PNG files are kept apart until it is known where they go.
@@ -120,8 +134,12 @@ class ModelBuilder {
       tinygltf::Texture texture;
       texture.source = idx;
       model_.textures.push_back(texture);
-      png_files_.push_back(EncodePng(source.texels, kTexturePngLevel));
     }
+    png_files_.resize(scene_.textures.size());
+    ParallelFor(png_files_.size(), NumHardwareThreads(), [&](size_t i) {
+      // The scene is written before each sequence: textures need not be small, but soon there.
+      png_files_[i] = EncodePng(WithoutOpaqueAlpha(scene_.textures[i].texels), PngEffort::kFast);
+    });
   }
 
   void UseExtension(const std::string& name) {
@@ -298,9 +316,10 @@ std::string UriOf(const std::string& name) {
 
 }  // namespace
 
-std::string GlbBytes(const Scene& scene) {
+std::string GlbBytes(const Scene& scene, const std::string& copyright) {
   scene.Validate("scene");
   ModelBuilder builder(scene);
+  builder.Model().asset.copyright = copyright;
   for (size_t i = 0; i < builder.PngFiles().size(); ++i) {
     builder.Model().images[i].bufferView = builder.AddView(builder.PngFiles()[i], 0);
   }
@@ -310,9 +329,12 @@ std::string GlbBytes(const Scene& scene) {
   return bytes;
 }
 
-void WriteGltf(const Scene& scene, const std::filesystem::path& path) {
+void WriteGltf(const Scene& scene,
+               const std::filesystem::path& path,
+               const std::string& copyright) {
   scene.Validate("scene");
   ModelBuilder builder(scene);
+  builder.Model().asset.copyright = copyright;
   const std::string name = path.stem().string();
   const std::filesystem::path folder = path.parent_path();
   for (size_t i = 0; i < builder.PngFiles().size(); ++i) {

@@ -17,6 +17,9 @@ expect_failure 2 "got 'depth'" "$pfseq" render "$tiny" --out out --outputs depth
 expect_failure 2 "--shard 2/2" "$pfseq" render "$tiny" --out out --shard 2/2
 expect_failure 2 "--out" "$pfseq" render "$tiny"
 expect_failure 2 "nowhere.glb" "$pfseq" render "$tiny" --out out --set scene.gltf=nowhere.glb
+expect_failure 2 "no_facades.yaml" "$pfseq" render "$tiny" --out out --set scene.canyon.facades=no_facades.yaml
+expect_failure 2 "scene.canyon.street_life" "$pfseq" render "$tiny" --out out --set scene.canyon.street_life=9
+expect_failure 2 "--map plan.jpg" "$pfseq" scene "$tiny" --map plan.jpg
 head -c 1000 /dev/urandom >noise.glb
 expect_failure 2 "noise.glb" "$pfseq" render "$tiny" --out out --set scene.gltf=noise.glb
 expect_failure 2 "none.txt" "$pfseq" render "$tiny" --out out --set trajectory.tum=none.txt

@@ -30,6 +30,15 @@ render_with_light made_good kept 1,3
 [ ! -s stderr.txt ] || fail "the damaged file was not made anew: $(cat stderr.txt)"
 expect_same_folders no_cache made_good
 
+# The scene itself, on one processor and on all; another seed makes another one.
+taskset -c "$(taskset -cp $$ | sed 's/.*: \([0-9]*\).*/\1/')" "$pfseq" scene "$tiny" --out single.glb
+"$pfseq" scene "$tiny" --out all.glb --map plan.png
+cmp single.glb all.glb || fail "the scene depends on the number of processors"
+cmp one/scene.glb all.glb || fail "the scene of a sequence is not that of its description"
+"$pfseq" scene "$tiny" --out other.glb --set scene.canyon.seed=2
+! cmp -s all.glb other.glb || fail "another seed makes the same scene"
+[ "$(head -c 4 plan.png | tail -c 3)" = PNG ] || fail "--map wrote no PNG"
+
 for frame in 3 1 0 2; do
   "$pfseq" render "$tiny" --out order --frames $frame --resume --quiet >/dev/null
 done

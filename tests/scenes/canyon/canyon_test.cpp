@@ -39,15 +39,21 @@ TEST(Canyon, KeepsToItsBudget) {
   const Canyon canyon = BuildCanyonWithStats({}, {});
   canyon.scene.Validate("canyon");
   EXPECT_GE(canyon.scene.NumTriangles(), 300000U);
-  EXPECT_LE(canyon.scene.NumTriangles(), 900000U);
+  EXPECT_LE(canyon.scene.NumTriangles(), 1500000U);
+  size_t num_texels = 0;
+  for (const Texture& texture : canyon.scene.textures) {
+    num_texels += texture.texels.NumPixels();
+  }
+  EXPECT_LE(num_texels, 80'000'000U);
   EXPECT_LE(canyon.scene.meshes.size(), 1500U);
   EXPECT_FALSE(canyon.scene.sun.has_value());
-  EXPECT_EQ(canyon.stats.buildings_by_style.size(), 5U);
+  EXPECT_EQ(canyon.stats.buildings_by_style.size(), 6U);
   EXPECT_EQ(canyon.stats.buildings_by_roof.size(), 3U);
   EXPECT_GE(canyon.stats.least_height_m, 10.0);
   EXPECT_LE(canyon.stats.greatest_height_m, 35.0);
   EXPECT_GT(canyon.stats.num_windows, 5000);
   EXPECT_GT(canyon.stats.num_balconies, 50);
+  EXPECT_GT(canyon.stats.num_painted_walls, 100);
 }
 
 }  // namespace

@@ -53,25 +53,20 @@ inline Palette PlainPalette() {
   choices(palette.spandrel, "spandrel", 1);
   choices(palette.roof_tile, "roof_tile", 1);
   choices(palette.slate, "slate", 1);
-  for (int* member : {&palette.roof_metal,
-                      &palette.roof_gravel,
-                      &palette.coping,
-                      &palette.chimney_pot,
-                      &palette.railing,
-                      &palette.pale_metal,
-                      &palette.gutter,
-                      &palette.roller_blind,
-                      &palette.window_glass,
-                      &palette.window_framed,
-                      &palette.shop_glass,
-                      &palette.sign,
-                      &palette.facade_glass,
-                      &palette.curtain_wall,
-                      &palette.asphalt,
-                      &palette.pavement,
-                      &palette.kerb,
-                      &palette.marking,
-                      &palette.manhole}) {
+  choices(palette.car_paint, "car_paint", 2);
+  choices(palette.cloth, "cloth", 2);
+  choices(palette.leaf, "leaf", 2);
+  choices(palette.bloom, "leaf_bloom", 1);
+  for (int* member : {&palette.roof_metal,    &palette.roof_gravel,  &palette.coping,
+                      &palette.chimney_pot,   &palette.railing,      &palette.pale_metal,
+                      &palette.gutter,        &palette.roller_blind, &palette.window_glass,
+                      &palette.window_framed, &palette.shop_glass,   &palette.sign,
+                      &palette.facade_glass,  &palette.curtain_wall, &palette.asphalt,
+                      &palette.pavement,      &palette.kerb,         &palette.marking,
+                      &palette.manhole,       &palette.car_glass,    &palette.tyre,
+                      &palette.tail_lamp,     &palette.head_lamp,    &palette.signal_green,
+                      &palette.skin,          &palette.bark,         &palette.wire,
+                      &palette.street_picture}) {
     *member = add(fmt::format("single_{}", palette.materials.size()));
   }
   return palette;
@@ -85,7 +80,9 @@ struct PartBench {
 
   PartBench() { builder.BeginGroup("part"); }
 
-  BuildContext Context(double detail = 1.0) { return {builder, palette, detail, stats}; }
+  BuildContext Context(double detail = 1.0, double street_life = 1.0) {
+    return {builder, palette, detail, stats, nullptr, street_life};
+  }
 
   Scene TakeScene() {
     Scene scene;
@@ -97,7 +94,7 @@ struct PartBench {
 
 inline Scene PlainCity(const CanyonSpec& canyon, const DriveSpec& drive) {
   PartBench bench;
-  BuildCity(bench.Context(canyon.detail), canyon, drive);
+  BuildCity(bench.Context(canyon.detail, canyon.street_life), canyon, drive);
   return bench.TakeScene();
 }
 
@@ -157,6 +154,31 @@ struct SurfaceFaults {
   std::vector<std::string> texts;
 };
 
+/// Leaves are single sheets, seen from both sides.
+inline bool IsSheet(const Mesh& mesh) { return mesh.name.find("/leaf") != std::string::npos; }
+
+/// Triangles without area, by mesh and number.
+inline SurfaceFaults FindDegenerate(const Scene& scene) {
+  SurfaceFaults faults;
+  for (const Mesh& mesh : scene.meshes) {
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vec3d corner_m = mesh.positions_m[a].cast<double>();
+      const double area_m2 = 0.5 * (mesh.positions_m[b].cast<double>() - corner_m)
+                                       .cross(mesh.positions_m[c].cast<double>() - corner_m)
+                                       .norm();
+      ++faults.num_checked;
+      if (!(area_m2 > 1e-9)) {
+        faults.texts.push_back(fmt::format("{} near ({:.3f}, {:.3f}, {:.3f})",
+                                           mesh.name,
+                                           corner_m.x(),
+                                           corner_m.y(),
+                                           corner_m.z()));
+      }
+    }
+  }
+  return faults;
+}
+
 /// Rays that meet the back of a surface first: holes or wrong winding.
 inline SurfaceFaults FindBackFaces(const RayScene& rays,
                                    const std::vector<Vec3d>& origins_m,
@@ -169,7 +191,8 @@ inline SurfaceFaults FindBackFaces(const RayScene& rays,
       const Vec3d direction = RandomDirection(random, least_z);
       const auto hit = rays.Intersect(origin_m, direction);
       ++faults.num_checked;
-      if (hit && hit->geometric_normal.dot(direction) > 0.0) {
+      if (hit && hit->geometric_normal.dot(direction) > 0.0 &&
+          !IsSheet(rays.PlainScene().meshes[hit->mesh_idx])) {
         const Vec3d at_m = origin_m + hit->distance_m * direction;
         faults.texts.push_back(
             fmt::format("back of {} at ({:.3f}, {:.3f}, {:.3f}) from ({:.2f}, {:.2f}, {:.2f})",
@@ -314,7 +337,8 @@ inline SurfaceFaults FindHoles(const Scene& scene, double width_m, double low_m,
     }
     const auto hit = rays.Intersect(Vec3d(target_m + kFar_m * back), -back);
     ++faults.num_checked;
-    if (!hit || hit->geometric_normal.dot(back) < 0.0) {
+    const bool is_sheet = hit && IsSheet(scene.meshes[hit->mesh_idx]);
+    if (!hit || (hit->geometric_normal.dot(back) < 0.0 && !is_sheet)) {
       faults.texts.push_back(fmt::format(
           "{} at ({:.3f}, {:.3f})", hit ? "back face" : "hole", target_m.x(), target_m.z()));
     }

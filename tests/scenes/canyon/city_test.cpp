@@ -21,6 +21,10 @@ void ExpectSoundCity(const CanyonSpec& canyon, const DriveSpec& drive, int num_r
   const SurfaceFaults overlaps = FindOverlaps(*scene);
   EXPECT_TRUE(overlaps.texts.empty()) << overlaps.texts.size() << ", " << overlaps.texts.front();
 
+  const SurfaceFaults degenerate = FindDegenerate(*scene);
+  EXPECT_TRUE(degenerate.texts.empty())
+      << degenerate.texts.size() << ", " << degenerate.texts.front();
+
   const RayScene rays(scene);
   std::vector<Vec3d> eyes_m = EyesAlongDrive(drive, 4.0);
   const Bounds bounds = BoundsOfScene(*scene);

@@ -36,6 +36,7 @@ TEST_P(Facade, EveryUpperFloorHasWindows) {
 INSTANTIATE_TEST_SUITE_P(Styles,
                          Facade,
                          testing::Values(FacadeStyle::kBrick,
+                                         FacadeStyle::kInterwar,
                                          FacadeStyle::kPlaster,
                                          FacadeStyle::kAshlar,
                                          FacadeStyle::kConcrete,

@@ -17,7 +17,8 @@ TEST(GroundFloor, HasNoHolesWhateverItHolds) {
         Building house;
         house.has_shops = has_shops;
         RandomStream random({static_cast<uint64_t>(width_m)});
-        BuildGroundFloor(bench.Context(), house, SurfaceFrame(), width_m, 4.2, true, lod, random);
+        BuildGroundFloor(
+            bench.Context(), house, SurfaceFrame(), width_m, 4.2, true, 8.0, lod, random);
         // The pavement closes the openings that reach down to it.
         AddBox(bench.builder, 0, SurfaceFrame(), {-50, -1, -50}, {50, kKerbHeight_m, 50}, kFaceTop);
         const Scene scene = bench.TakeScene();
@@ -35,7 +36,8 @@ TEST(GroundFloor, CountsItsShops) {
   Building house;
   house.has_shops = true;
   RandomStream random({5});
-  BuildGroundFloor(bench.Context(), house, SurfaceFrame(), 14.0, 4.2, false, Lod::kFine, random);
+  BuildGroundFloor(
+      bench.Context(), house, SurfaceFrame(), 14.0, 4.2, false, 8.0, Lod::kFine, random);
   EXPECT_GE(bench.stats.num_shops, 2);
   EXPECT_LE(bench.stats.num_shops, 4);
 }
@@ -47,7 +49,7 @@ TEST(GroundFloor, LeavesRoomToWalkUnderWhatSticksOut) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     RandomStream random({seed});
     BuildGroundFloor(
-        bench.Context(2.0), house, SurfaceFrame(), 14.0, 4.2, true, Lod::kFine, random);
+        bench.Context(2.0), house, SurfaceFrame(), 14.0, 4.2, true, 8.0, Lod::kFine, random);
   }
   const Scene scene = bench.TakeScene();
   for (const Mesh& mesh : scene.meshes) {

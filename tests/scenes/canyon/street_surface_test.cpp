@@ -44,19 +44,5 @@ TEST(StreetSurface, KerbIsAStepOfTwelveCentimetres) {
   EXPECT_FALSE(rays.Intersect(Vec3d(0.3, 0.3, 10.0), -Vec3d::UnitZ()));
 }
 
-TEST(StreetSurface, LampsStandOnThePavementAndReachOverTheStreet) {
-  PartBench bench;
-  StreetPlan plan;
-  plan.drive_path_m = {{0, 0}};
-  Block block;
-  block.island = {{0, 0}, {40, 30}};
-  BuildLamps(bench.Context(), block, plan);
-  const Bounds bounds = BoundsOfScene(bench.TakeScene());
-  EXPECT_NEAR(bounds.low_m.z(), kKerbHeight_m, 0.03);
-  EXPECT_NEAR(bounds.high_m.z(), 7.1, 0.1);
-  EXPECT_LT(bounds.low_m.y(), -0.5F);
-  EXPECT_GT(bounds.high_m.x(), 40.5F);
-}
-
 }  // namespace
 }  // namespace pfseq

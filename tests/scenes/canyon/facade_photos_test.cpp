@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/canyon/facade_photos.h"
+
+#include "renderer/core/error.h"
+#include "renderer/core/file.h"
+#include "renderer/sequence/image_io.h"
+#include "scenes/canyon/photo_front.h"
+#include "tests/scenes/canyon/canyon_test_support.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/temp_folder.h"
+
+#include <span>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace pfseq {
+namespace {
+
+constexpr const char* kHead = "source: a box\ncredit: N. N.\nlicence: CC0\nfacades:\n  front:\n";
+
+/// A folder with a photograph of 40 x 20 px, white with a black window, and a description of it.
+class FacadePhotosTest : public testing::Test {
+ protected:
+  FacadePhotosTest() {
+    Image<uint8_t> image(40, 20, 3, uint8_t{250});
+    for (int y = 4; y < 12; ++y) {
+      for (int x = 8; x < 16; ++x) {
+        for (int channel = 0; channel < 3; ++channel) {
+          image.At(x, y, channel) = 0;
+        }
+      }
+    }
+    WriteFileAtomically(folder_.Path() / "front.png", EncodePng(image));
+  }
+
+  std::filesystem::path Write(const std::string& facade) {
+    const std::filesystem::path path = folder_.Path() / "facades.yaml";
+    WriteFileAtomically(path, std::string_view(kHead + facade));
+    return path;
+  }
+
+  TempFolder folder_;
+};
+
+constexpr const char* kGood =
+    "    file: front.png\n    width_m: 20\n    height_m: 10\n    floors: 3\n    recess_m: 0.2\n"
+    "    windows_px:\n      a: [8, 4, 8, 8, 16, 2, 0, 1]\n";
+
+TEST_F(FacadePhotosTest, MeasuresWindowsInMetresFromTheLowerLeft) {
+  const FacadePhotos photos = ReadFacadePhotos(Write(kGood));
+  ASSERT_EQ(photos.photos.size(), 1U);
+  const FacadePhoto& photo = *photos.photos[0];
+  ASSERT_EQ(photo.windows.size(), 2U);
+  EXPECT_TRUE(photo.windows[0].low_m.isApprox(Vec2d(4, 4)));
+  EXPECT_TRUE(photo.windows[0].high_m.isApprox(Vec2d(8, 8)));
+  EXPECT_TRUE(photo.windows[1].low_m.isApprox(Vec2d(12, 4)));
+  EXPECT_THAT(photos.credits, testing::HasSubstr("CC0"));
+  EXPECT_THAT(photos.credits, testing::HasSubstr("N. N."));
+}
+
+TEST_F(FacadePhotosTest, CropsThePhotographAndItsWindows) {
+  const FacadePhotos photos =
+      ReadFacadePhotos(Write(std::string(kGood) + "    crop_px: [4, 0, 24, 16]\n"));
+  const FacadePhoto& photo = *photos.photos[0];
+  EXPECT_EQ(photo.image->WidthPx(), 20);
+  EXPECT_EQ(photo.image->HeightPx(), 16);
+  EXPECT_EQ(photo.image->At(4, 4, 1), 0);
+  EXPECT_EQ(photo.image->At(3, 4, 1), 250);
+  EXPECT_TRUE(photo.windows[0].low_m.isApprox(Vec2d(4, 2.5)));
+}
+
+TEST_F(FacadePhotosTest, TellsFaultsInOneLine) {
+  const auto message = [&](const std::string& facade) {
+    return MessageOf<InputError>([&] { ReadFacadePhotos(Write(facade)); });
+  };
+  EXPECT_THAT(message("    file: none.png\n    width_m: 1\n    height_m: 1\n    floors: 1\n"),
+              testing::HasSubstr("none.png"));
+  EXPECT_THAT(message("    file: front.png\n    width_m: 1\n    floors: 1\n"),
+              testing::HasSubstr("expected the key height_m"));
+  EXPECT_THAT(message("    file: front.png\n    width_m: -1\n    height_m: 1\n    floors: 1\n"),
+              testing::HasSubstr("width_m: expected"));
+  EXPECT_THAT(message(std::string(kGood) + "    crop_px: [0, 0, 50, 20]\n"),
+              testing::HasSubstr("crop_px: expected left < right <= 40"));
+  EXPECT_THAT(message(std::string(kGood) + "      b: [1, 2, 3]\n"),
+              testing::HasSubstr("a list of 4 or 8 numbers"));
+  EXPECT_THAT(message(std::string(kGood) + "    flors: 2\n"), testing::HasSubstr("floors"));
+}
+
+TEST_F(FacadePhotosTest, ChoosesOnesOfAboutTheHeightWanted) {
+  const FacadePhotos photos = ReadFacadePhotos(Write(kGood));
+  EXPECT_EQ(ChoosePhoto(photos, 11.0, 1), photos.photos[0]);
+  EXPECT_EQ(ChoosePhoto(photos, 20.0, 1), nullptr);
+  EXPECT_EQ(ChoosePhoto(photos, 6.0, 1), nullptr);
+}
+
+TEST_F(FacadePhotosTest, FrontIsClosedWithItsWindowsSetBack) {
+  const FacadePhotos photos = ReadFacadePhotos(Write(kGood));
+  PartBench bench;
+  WallPaintings paintings(bench.palette, 0.05);
+  BuildContext context = bench.Context();
+  context.paintings = &paintings;
+  Building house;
+  house.photo = photos.photos[0];
+  house.eave_m = 10.0 + kKerbHeight_m - 0.02;
+  BuildPhotoFront(context, house, SurfaceFrame(), 20.0, 8.0);
+  paintings.Finish(bench.palette);
+  const Scene scene = bench.TakeScene();
+  const SurfaceFaults holes = FindHoles(scene, 20.0, kKerbHeight_m, house.eave_m);
+  EXPECT_TRUE(holes.texts.empty()) << holes.texts.front();
+  EXPECT_TRUE(FindOverlaps(scene).texts.empty());
+  const RayScene rays(std::make_shared<const Scene>(scene));
+  // Mirrored or not, a window is on one of these two places.
+  int num_recessed = 0;
+  for (const double u : {6.0, 10.0, 14.0}) {
+    const auto hit = rays.Intersect(Vec3d(u, -5.0, 6.1), Vec3d::UnitY());
+    ASSERT_TRUE(hit);
+    num_recessed += std::abs(hit->distance_m - 5.2) < 1e-3 ? 1 : 0;
+  }
+  EXPECT_EQ(num_recessed, 2);
+  const auto wall = rays.Intersect(Vec3d(10.0, -5.0, 1.0), Vec3d::UnitY());
+  EXPECT_NEAR(wall->distance_m, 5.0, 1e-4);
+}
+
+}  // namespace
+}  // namespace pfseq

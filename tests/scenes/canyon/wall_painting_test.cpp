@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenes/canyon/wall_painting.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace pfseq {
+namespace {
+
+WallPainting PlainPainting(WallSurface surface) {
+  WallPainting painting;
+  painting.look.surface = surface;
+  painting.look.color = Rgb(0.7F, 0.65F, 0.6F);
+  painting.look.seed = 5;
+  painting.area = {{0, 4}, {3, 7}};
+  painting.eave_m = 7.0;
+  painting.texel_m = 0.02;
+  return painting;
+}
+
+/// Mean green of a part of a wall whose area starts at (0, 4), 3 m high.
+double MeanGreen(const Texture& texture, const Vec2d& low_m, const Vec2d& high_m) {
+  double sum = 0.0;
+  int count = 0;
+  const double per_m = texture.texels.WidthPx() / 3.0;
+  for (int y = static_cast<int>((7.0 - high_m.y()) * per_m); y < (7.0 - low_m.y()) * per_m; ++y) {
+    for (int x = static_cast<int>(low_m.x() * per_m); x < high_m.x() * per_m; ++x, ++count) {
+      sum += texture.texels.At(x, y, 1);
+    }
+  }
+  return sum / count;
+}
+
+class PaintedSurface : public testing::TestWithParam<WallSurface> {};
+
+TEST_P(PaintedSurface, DependsOnItsDescriptionAlone) {
+  WallPainting painting = PlainPainting(GetParam());
+  const PaintedWall wall = Paint(painting);
+  const PaintedWall again = Paint(painting);
+  EXPECT_EQ(wall.color.texels, again.color.texels);
+  EXPECT_EQ(wall.normal.texels, again.normal.texels);
+  painting.look.seed = 6;
+  EXPECT_NE(Paint(painting).color.texels, wall.color.texels);
+}
+
+TEST_P(PaintedSurface, KeepsTheColourItIsAskedForWhenNew) {
+  WallPainting painting = PlainPainting(GetParam());
+  painting.look.age = 0.0;
+  const Vec2d low_m(0.2, 4.2);
+  const double green = MeanGreen(Paint(painting).color, low_m, {2.8, 6.4}) / 255.0;
+  EXPECT_NEAR(green, 0.65, 0.12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces,
+                         PaintedSurface,
+                         testing::Values(WallSurface::kPlaster,
+                                         WallSurface::kBrick,
+                                         WallSurface::kAshlar,
+                                         WallSurface::kConcrete),
+                         [](const auto& test) {
+                           return "Surface" + std::to_string(static_cast<int>(test.param));
+                         });
+
+TEST(WallPainting, RainLeavesStreaksUnderALedgeAlone) {
+  WallPainting painting = PlainPainting(WallSurface::kPlaster);
+  painting.look.age = 1.0;
+  const Texture without = Paint(painting).color;
+  painting.ledges = {{1.0, 2.0, 6.0}};
+  const Texture with = Paint(painting).color;
+  EXPECT_LT(MeanGreen(with, {1.0, 5.6}, {2.0, 5.98}),
+            MeanGreen(without, {1.0, 5.6}, {2.0, 5.98}) - 3.0);
+  EXPECT_EQ(MeanGreen(with, {0.0, 4.0}, {0.9, 7.0}), MeanGreen(without, {0.0, 4.0}, {0.9, 7.0}));
+  EXPECT_EQ(MeanGreen(with, {1.0, 6.05}, {2.0, 7.0}), MeanGreen(without, {1.0, 6.05}, {2.0, 7.0}));
+}
+
+TEST(WallPainting, TexelsHaveTheSizeAsked) {
+  WallPainting painting = PlainPainting(WallSurface::kBrick);
+  painting.normal_step = 2;
+  const PaintedWall wall = Paint(painting);
+  EXPECT_EQ(wall.color.texels.WidthPx(), 150);
+  EXPECT_EQ(wall.color.texels.HeightPx(), 150);
+  EXPECT_EQ(wall.normal.texels.WidthPx(), 75);
+  EXPECT_FALSE(wall.normal.is_srgb);
+  EXPECT_TRUE(wall.color.is_srgb);
+}
+
+TEST(WallPainting, PhotographsLieUprightAndWhereTheyAreTold) {
+  // Red above, blue below; the left half of the lower part is green.
+  auto image = std::make_shared<Image<uint8_t>>(40, 20, 4, uint8_t{255});
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      image->At(x, y, 0) = y < 10 ? 200 : 20;
+      image->At(x, y, 1) = y >= 10 && x < 20 ? 200 : 20;
+      image->At(x, y, 2) = y >= 10 && x >= 20 ? 200 : 20;
+    }
+  }
+  WallPainting painting = PlainPainting(WallSurface::kPlaster);
+  painting.photo = {image, {0, 4}, {3, 3}, false};
+  const Texture wall = Paint(painting).color;
+  EXPECT_GT(wall.texels.At(75, 30, 0), 150);
+  EXPECT_GT(wall.texels.At(30, 120, 1), 150);
+  EXPECT_GT(wall.texels.At(120, 120, 2), 150);
+  painting.photo.is_mirrored = true;
+  EXPECT_GT(Paint(painting).color.texels.At(120, 120, 1), 150);
+}
+
+}  // namespace
+}  // namespace pfseq
