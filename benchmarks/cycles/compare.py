@@ -21,9 +21,10 @@ building the acceleration structure), measured with an image of 16 px, is taken 
 --light, it is measured with render.light=path: all that cached light computes counts as a frame's cost.
 
 relMSE = mean((I - R)^2 / (R^2 + 0.01)) over the image circle (without the sun's disc) and the channels of linear radiance,
-where I and R are divided by the mean of R first; R is the converged image, the mean of --reference-seeds renders. The
-part of the error that is noise of R itself is estimated from their spread and taken off. Each program is judged by its
-own converged image ("own"); pfseq's cached light also by that of its path tracer ("path").
+where I and R are divided by the mean of R first; R is the converged image. It is known by --reference-seeds independent
+renders P, Q, ..., and the square is estimated by (I - P)(I - Q), in which their noise falls out; the denominator's R is
+that of pfseq. Each program is judged by its own converged image ("own"); pfseq's cached light also by that of its path
+tracer ("path").
 
 The ratio of costs at equal error is Cycles' cost divided by pfseq's. Cycles' cost at pfseq's error comes from fits to
 its measured points: error = a N^-p (logarithms, least squares) and cost = b N + c. "extrapolated" is what lies outside.

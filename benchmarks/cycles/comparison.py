@@ -147,10 +147,12 @@ class RowComparison:
 
     def _measure(self, renderer, num_samples, repetition, references):
         usage, image = self._render(renderer, num_samples, repetition)
+        # Of all converged images that of pfseq has the least noise: both programs' errors are taken in its unit.
+        scale = references[self._pfseq.name].image
         path_error = float("nan")
         if renderer is not self._cycles:
-            path_error = references[self._pfseq_path.name].error_of(image, self._mask)
-        own_error = references[renderer.name].error_of(image, self._mask)
+            path_error = references[self._pfseq_path.name].error_of(image, self._mask, scale)
+        own_error = references[renderer.name].error_of(image, self._mask, scale)
         say(f"  {renderer.name:12s} {num_samples:6d} samples: {usage.cpu_s:8.2f} CPU-s, relMSE {own_error:.6f}")
         self._runs.append(Run(renderer.name, num_samples, repetition, usage.cpu_s, usage.peak_mib, own_error, path_error))
 

@@ -2,6 +2,7 @@
 """Figures of the comparison: errors against a reference, agreement of two images, costs at equal error."""
 
 import dataclasses
+import itertools
 import math
 
 import numpy as np
@@ -36,9 +37,18 @@ class Reference:
         spread = sum(relative_mse(part, self.image, mask) for part in self.parts) / (n - 1)
         return spread / n
 
-    def error_of(self, image, mask):
-        """relative_mse of an independent image, less the reference's own share."""
-        return max(relative_mse(image, self.image, mask) - self.own_relative_mse(mask), 0.0)
+    def error_of(self, image, mask, scale):
+        """Estimate of an independent image's relative_mse against what the parts would converge to.
+
+        The mean of (I - P)(I - Q) over pairs of parts P, Q: their noise is independent, so it falls out, however much
+        there is of it. `scale` is an image with little noise that stands for R in the denominator, where the parts' noise
+        would not fall out.
+        """
+        mean = self.image[mask].mean()
+        differences = [(image[mask] - part[mask]) / mean for part in self.parts]
+        denominator = (scale[mask] / scale[mask].mean()) ** 2 + RELATIVE_MSE_OFFSET
+        pairs = itertools.combinations(differences, 2)
+        return max(float(np.mean([np.mean(p * q / denominator) for p, q in pairs])), 0.0)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -44,7 +44,17 @@ class Reference(unittest.TestCase):
         noisy = lambda: truth + 0.1 * random.standard_normal(truth.shape)
         reference = errors.Reference.of([noisy() for _ in range(4)])
         self.assertAlmostEqual(reference.own_relative_mse(mask), 0.1 ** 2 / 1.01 / 4, delta=1e-4)
-        self.assertAlmostEqual(reference.error_of(noisy(), mask), 0.1 ** 2 / 1.01, delta=4e-4)
+        self.assertAlmostEqual(reference.error_of(noisy(), mask, truth), 0.1 ** 2 / 1.01, delta=4e-4)
+
+    def test_finds_a_small_error_below_a_noisy_reference(self):
+        random = np.random.default_rng(2)
+        truth = np.tile([0.5, 1.5], (300, 150))[:, :, None].repeat(3, axis=2)
+        mask = np.ones((300, 300), bool)
+        reference = errors.Reference.of([truth * (1 + 0.1 * random.standard_normal(truth.shape)) for _ in range(2)])
+        image = truth * 1.02
+        expected = errors.relative_mse(image, truth, mask)
+        self.assertAlmostEqual(reference.error_of(image, mask, truth), expected, delta=0.3 * expected)
+        self.assertGreater(errors.relative_mse(image, reference.image, mask), 10 * expected)
 
 
 class Agreement(unittest.TestCase):

@@ -320,11 +320,32 @@ LightGatherer::FarSurfaces LightGatherer::ShadeFar(
   return shaded;
 }
 
+float LightGatherer::ShareFromBehind(const Vec3f& origin_m,
+                                     const Vec3f& normal,
+                                     uint64_t key) const {
+  constexpr int kStrata = 4;
+  const Frame frame(normal);
+  RandomStream jitter(key);
+  int num_from_behind = 0;
+  for (int height_start = 0; height_start < kStrata; height_start += 2) {
+    const BundleOfRays bundle = SampleBundle(frame, height_start, 0, kStrata, jitter);
+    const RayPacket packet = MakeRayPacket(Broadcast(origin_m), bundle.directions, kAllLanes);
+    HitPacket hits;
+    rays_.Intersect(packet, Coherence::kIncoherent, hits);
+    for (uint32_t lanes = hits.hit; lanes != 0; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      num_from_behind += surfaces_.Locate(hits.Of(i), packet.Direction(i)).is_front ? 0 : 1;
+    }
+  }
+  return static_cast<float>(num_from_behind) / (kStrata * kStrata);
+}
+
 GatheredLight LightGatherer::Gather(const Vec3f& origin_m,
                                     const Vec3f& normal,
-                                    uint64_t key) const {
+                                    uint64_t key,
+                                    int rays_across) const {
   const Frame frame(normal);
-  const int n = rays_across_;
+  const int n = rays_across;
   // What the footprint of one ray is at unit distance.
   const float spread = std::sqrt(2.0F * std::numbers::pi_v<float>) / static_cast<float>(n);
   RandomStream jitter(key);

@@ -46,11 +46,26 @@ class LightGatherer {
 
   /// `normal` is the unit normal of the surface on the side asked for, `key` chooses the random
   /// numbers.
-  GatheredLight Gather(const Vec3f& origin_m, const Vec3f& normal, uint64_t key) const;
+  GatheredLight Gather(const Vec3f& origin_m, const Vec3f& normal, uint64_t key) const {
+    return Gather(origin_m, normal, key, rays_across_);
+  }
+
+  /// The same by 16 rays: unbiased, but noisy.
+  GatheredLight GatherRoughly(const Vec3f& origin_m, const Vec3f& normal, uint64_t key) const {
+    return Gather(origin_m, normal, key, 4);
+  }
+
+  /// How much of what the point sees it sees from behind, by few rays, 0 to 1.
+  float ShareFromBehind(const Vec3f& origin_m, const Vec3f& normal, uint64_t key) const;
 
   int64_t MemoryBytes() const { return coarse_.MemoryBytes(); }
 
  private:
+  GatheredLight Gather(const Vec3f& origin_m,
+                       const Vec3f& normal,
+                       uint64_t key,
+                       int rays_across) const;
+
   /// What a packet of rays meets far off: the radiance of the surfaces, all taken as rough, and
   /// which of them the sun reaches.
   struct FarSurfaces {

@@ -5,6 +5,7 @@
 #include "renderer/core/parallel.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <span>
@@ -27,6 +28,20 @@ constexpr size_t kBuriedIdx = 7;
 /// What a buried record counts for beside others.
 constexpr float kBuriedWeight = 1e-4F;
 
+/// Places that are tried for a record that would lie within a body.
+constexpr int kPlacesTried = 24;
+
+/// The i-th of them, in cells off its regular place: the R2 sequence (Roberts 2018, "The
+/// Unreasonable Effectiveness of Quasirandom Sequences").
+Vec2f PlaceInCell(int i) {
+  constexpr float kReach = 0.9F;
+  constexpr double kPlastic = 1.32471795724474602596;
+  const double u = 0.5 + i / kPlastic;
+  const double v = 0.5 + i / (kPlastic * kPlastic);
+  return kReach * Vec2f(static_cast<float>(2.0 * (u - std::floor(u)) - 1.0),
+                        static_cast<float>(2.0 * (v - std::floor(v)) - 1.0));
+}
+
 uint16_t State(const std::array<uint16_t, 12>& halves) {
   return std::atomic_ref<uint16_t>(const_cast<uint16_t&>(halves[kStateIdx]))
       .load(std::memory_order_acquire);
@@ -45,6 +60,10 @@ void HalvesFromFloats(const Eigen::Array4f& values, uint16_t* halves) {
   const __m128i bits =
       _mm_cvtps_ph(_mm_loadu_ps(clamped.data()), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
   std::memcpy(halves, &bits, 4 * sizeof(uint16_t));
+}
+
+bool IsDark(const VectorIrradiance& light) {
+  return (light.x.abs() + light.y.abs() + light.z.abs()).maxCoeff() <= 0.0F;
 }
 
 template <typename T>
@@ -186,14 +205,32 @@ void LightStore::Publish(const Record& computed, Record& record) {
 }
 
 LightStore::Record LightStore::ComputeRecord(const Face& face, const RecordId& id) const {
-  ShadingPoint point;
-  point.position_m = face.grid.PositionM(
-      surfaces_.CornersM(id.face_idx), id.record_idx, kInsetShareOfSpacing * options_.spacing_m);
+  const std::array<Vec3f, 3> corners_m = surfaces_.CornersM(id.face_idx);
+  const float inset_m = kInsetShareOfSpacing * options_.spacing_m;
   const Vec3f normal = surfaces_.Normal(id.face_idx);
+  ShadingPoint point;
+  point.position_m = face.grid.PositionM(corners_m, id.record_idx, inset_m);
   point.geometric_normal = id.is_front ? normal : Vec3f(-normal);
   const uint64_t key =
       HashKey({0x7265636f7264ULL, id.face_idx, id.record_idx, id.is_front ? 0ULL : 1ULL});
-  const GatheredLight gathered = gatherer_.Gather(point.RayOriginM(), point.geometric_normal, key);
+  GatheredLight gathered = gatherer_.Gather(point.RayOriginM(), point.geometric_normal, key);
+  if (gathered.is_buried) {
+    // What shows of the face may lie between its records, all of them behind mouldings.
+    float least_from_behind = 0.5F;
+    ShadingPoint best = point;
+    for (int i = 1; least_from_behind > 0.0F && i <= kPlacesTried; ++i) {
+      point.position_m = face.grid.PositionM(corners_m, id.record_idx, inset_m, PlaceInCell(i));
+      const float from_behind =
+          gatherer_.ShareFromBehind(point.RayOriginM(), point.geometric_normal, key);
+      if (from_behind < least_from_behind) {
+        least_from_behind = from_behind;
+        best = point;
+      }
+    }
+    if (least_from_behind < 0.5F) {
+      gathered = gatherer_.Gather(best.RayOriginM(), best.geometric_normal, key);
+    }
+  }
   Record record;
   HalvesFromFloats(gathered.light.x, &record.halves[0]);
   HalvesFromFloats(gathered.light.y, &record.halves[4]);
@@ -226,6 +263,13 @@ VectorIrradiance LightStore::Lookup(const ShadingPoint& point) {
     light.x += weight * FloatsFromHalves(&record->halves[0]);
     light.y += weight * FloatsFromHalves(&record->halves[4]);
     light.z += weight * FloatsFromHalves(&record->halves[8]);
+  }
+  if (sum_of_weights < 2.0F * kBuriedWeight && IsDark(light)) {
+    // A gap too small for a record of its own, seen all the same.
+    const uint64_t key = HashKey({std::bit_cast<uint32_t>(point.position_m.x()),
+                                  std::bit_cast<uint32_t>(point.position_m.y()),
+                                  std::bit_cast<uint32_t>(point.position_m.z())});
+    return gatherer_.GatherRoughly(point.RayOriginM(), point.geometric_normal, key).light;
   }
   const float scale = 1.0F / sum_of_weights;
   light.x *= scale;

@@ -16,6 +16,10 @@ constexpr float kMaxInsetShare = 0.2F;
 /// Corners of a parallelogram may be off by this share of its longest side.
 constexpr float kParallelogramTolerance = 1e-3F;
 
+/// The outermost records of a parallelogram are this far off its edges, in cells: in the corner of
+/// a recess light falls off so fast that a record there would darken the whole cell.
+constexpr float kRimInCells = 0.2F;
+
 /// Edges shorter than this many spacings need one record across.
 constexpr float kThinInSpacings = 0.5F;
 
@@ -116,6 +120,24 @@ RecordGrid::FacePoint RecordGrid::FacePointAt(bool is_second, float u, float v) 
   return is_turned_ ? FacePoint{to_last, to_next} : FacePoint{to_next, to_last};
 }
 
+float RecordGrid::GridPosition(float share, uint32_t num_cells) const {
+  const auto cells = static_cast<float>(num_cells);
+  const float position = share * cells;
+  if (!is_quad_) {
+    return position;
+  }
+  // The outermost records lie inside the face: nothing is interpolated beyond them.
+  const float from_end = std::min(position, cells - position);
+  if (from_end >= 1.0F || num_cells == 0) {
+    return position;
+  }
+  if (num_cells == 1) {
+    return std::clamp((position - kRimInCells) / (1.0F - 2.0F * kRimInCells), 0.0F, 1.0F);
+  }
+  const float in_cell = std::max(0.0F, (from_end - kRimInCells) / (1.0F - kRimInCells));
+  return position < 1.0F ? in_cell : cells - in_cell;
+}
+
 RecordGrid::Stencil RecordGrid::StencilAt(bool is_second, float u, float v) const {
   Stencil stencil;
   if (num_rows_ == 0) {
@@ -124,7 +146,7 @@ RecordGrid::Stencil RecordGrid::StencilAt(bool is_second, float u, float v) cons
     return stencil;
   }
   const FacePoint place = FacePointAt(is_second, u, v);
-  const float row_position = place.along * static_cast<float>(num_rows_);
+  const float row_position = GridPosition(place.along, num_rows_);
   const auto row =
       std::min(static_cast<uint32_t>(row_position), static_cast<uint32_t>(num_rows_) - 1);
   const float row_weight = row_position - static_cast<float>(row);
@@ -132,7 +154,7 @@ RecordGrid::Stencil RecordGrid::StencilAt(bool is_second, float u, float v) cons
     const float weight = k == 0 ? 1.0F - row_weight : row_weight;
     const uint32_t start = row_start_[row + k];
     const uint32_t num_cells = row_start_[row + k + 1] - start - 1;
-    const float position = place.across * static_cast<float>(num_cells);
+    const float position = GridPosition(place.across, num_cells);
     const uint32_t cell =
         num_cells == 0 ? 0 : std::min(static_cast<uint32_t>(position), num_cells - 1);
     const float cell_weight = position - static_cast<float>(cell);
@@ -151,11 +173,13 @@ RecordGrid::Stencil RecordGrid::StencilAt(bool is_second, float u, float v) cons
 
 Vec3f RecordGrid::PositionM(const std::array<Vec3f, 3>& corners_m,
                             uint32_t record_idx,
-                            float inset_m) const {
+                            float inset_m,
+                            const Vec2f& offset_cells) const {
   const Vec3f& apex = corners_m[apex_];
   const Vec3f& next = corners_m[(apex_ + 1U) % 3];
   const Vec3f& last = corners_m[(apex_ + 2U) % 3];
   FacePoint place{is_quad_ ? 0.5F : 2.0F / 3.0F, 0.5F};
+  Vec2f cell = Vec2f::Ones();
   if (num_rows_ > 0) {
     const uint32_t* row_end =
         std::upper_bound(row_start_.get(), row_start_.get() + num_rows_ + 1, record_idx);
@@ -165,7 +189,16 @@ Vec3f RecordGrid::PositionM(const std::array<Vec3f, 3>& corners_m,
     place.across = num_cells == 0 ? 0.5F
                                   : static_cast<float>(record_idx - row_start_[row]) /
                                         static_cast<float>(num_cells);
+    cell = {1.0F / static_cast<float>(num_rows_),
+            1.0F / static_cast<float>(std::max(num_cells, 1U))};
   }
+  if (is_quad_) {
+    const Vec2f rim = kRimInCells * cell;
+    place.along = std::clamp(place.along, rim.x(), 1.0F - rim.x());
+    place.across = std::clamp(place.across, rim.y(), 1.0F - rim.y());
+  }
+  place.along = std::clamp(place.along + offset_cells.x() * cell.x(), 0.0F, 1.0F);
+  place.across = std::clamp(place.across + offset_cells.y() * cell.y(), 0.0F, 1.0F);
   const float double_area = (next - apex).cross(last - apex).norm();
   // Share of the height over an edge of this length that the inset is.
   const auto inset_share = [&](float edge_m) {

@@ -43,9 +43,13 @@ class RecordGrid {
   /// is the first or the second of the face.
   Stencil StencilAt(bool is_second, float u, float v) const;
 
-  /// A record's place: a little off the face's edges, so that it does not sit in a corner where
-  /// rounding decides what it sees.
-  Vec3f PositionM(const std::array<Vec3f, 3>& corners_m, uint32_t record_idx, float inset_m) const;
+  /// A record's place, moved by `offset_cells` along the rows and across them: a little off the
+  /// face's edges, so that it does not sit in a corner where rounding decides what it sees. Where
+  /// one record stands for the whole way, the way is one cell, with the record in its middle.
+  Vec3f PositionM(const std::array<Vec3f, 3>& corners_m,
+                  uint32_t record_idx,
+                  float inset_m,
+                  const Vec2f& offset_cells = Vec2f::Zero()) const;
 
   int64_t MemoryBytes() const {
     return static_cast<int64_t>(sizeof(*this) + (size_t{num_rows_} + 2) * sizeof(uint32_t));
@@ -58,6 +62,8 @@ class RecordGrid {
     float across;
   };
   FacePoint FacePointAt(bool is_second, float u, float v) const;
+  /// Where a share of the way lies among the records of a row, or among the rows, 0 to num_cells.
+  float GridPosition(float share, uint32_t num_cells) const;
 
   bool is_quad_ = false;
   /// The vertex that the rows start from; of a parallelogram, the first triangle's vertex that is

@@ -110,19 +110,25 @@ ShadingPoint FloorPoint(float along_edge1, float along_edge2, bool is_front = tr
 }
 
 TEST(LightStore, IsBilinearOverAParallelogram) {
-  // Records a metre apart: 4 x 4 cells (the slanted edge is longer than 3 m).
+  // Records a metre apart: 4 x 4 cells (the slanted edge is longer than 3 m), the outermost ones a
+  // fifth of a cell off the edges.
   StoredScene stored(Spacing(1.0F));
+  constexpr std::array<float, 5> kRecords = {0.05F, 0.25F, 0.5F, 0.75F, 0.95F};
   const auto light = [&](float s, float t) { return stored.store.Lookup(FloorPoint(s, t)); };
   RandomStream random({1});
   double contrast = 0.0;
   for (int i = 0; i < 400; ++i) {
-    const auto s0 = static_cast<float>(random.Integer(0, 3)) / 4.0F;
-    const auto t0 = static_cast<float>(random.Integer(0, 3)) / 4.0F;
+    const auto column = static_cast<size_t>(random.Integer(0, 3));
+    const auto row = static_cast<size_t>(random.Integer(0, 3));
+    const float s0 = kRecords[column];
+    const float s1 = kRecords[column + 1];
+    const float t0 = kRecords[row];
+    const float t1 = kRecords[row + 1];
     const auto x = static_cast<float>(random.Uniform(0.01, 0.99));
     const auto y = static_cast<float>(random.Uniform(0.01, 0.99));
-    const VectorIrradiance here = light(s0 + 0.25F * x, t0 + 0.25F * y);
+    const VectorIrradiance here = light(s0 + (s1 - s0) * x, t0 + (t1 - t0) * y);
     const std::array<VectorIrradiance, 4> corners = {
-        light(s0, t0), light(s0 + 0.25F, t0), light(s0, t0 + 0.25F), light(s0 + 0.25F, t0 + 0.25F)};
+        light(s0, t0), light(s1, t0), light(s0, t1), light(s1, t1)};
     const std::array<float, 4> weights = {
         (1.0F - x) * (1.0F - y), x * (1.0F - y), (1.0F - x) * y, x * y};
     Eigen::Array4f expected_x = Eigen::Array4f::Zero();
@@ -137,6 +143,9 @@ TEST(LightStore, IsBilinearOverAParallelogram) {
   }
   EXPECT_GT(contrast, 0.3);
   EXPECT_EQ(stored.store.NumRecords(), 25);
+  // Beyond the outermost records nothing changes.
+  EXPECT_TRUE(IsSame(light(0.01F, 0.5F), light(0.05F, 0.5F)));
+  EXPECT_TRUE(IsSame(light(0.5F, 1.0F), light(0.5F, 0.95F)));
 }
 
 TEST(LightStore, HasNoStepsWithinTriangles) {
@@ -306,22 +315,59 @@ TEST(LightStore, RefusesRecordsThatAFaceDoesNotHave) {
 }
 
 TEST(LightStore, SlabThroughAWallIsNotDarkenedBesideIt) {
-  // A black wall of 0.6 m stands on, and goes through, a slab with records each half metre: those
-  // in the middle lie within the wall.
+  // A black wall of 1.6 m stands on, and goes through, a slab with records each half metre: those
+  // in the middle lie within the wall, its outer ones can be moved out of it.
   Scene scene;
   scene.materials = {LambertianMaterial(Rgb::Zero())};
   scene.meshes = {FloorMesh(4.0F, 0)};
-  AddBox({-0.3F, -6.0F, -1.0F}, {0.6F, 12.0F, 1.5F}, 0, &scene.meshes);
+  AddBox({-0.8F, -6.0F, -1.0F}, {1.6F, 12.0F, 1.5F}, 0, &scene.meshes);
   StoredScene stored(Spacing(0.5F), scene);
   const auto light_at = [&](float x_m) {
     return stored.store.Lookup(FloorPoint((x_m + 4.0F) / 8.0F, 0.53F)).z[0];
   };
-  const float beside = light_at(0.5F);
+  const float beside = light_at(1.0F);
   EXPECT_GT(beside, 1.0F);
-  EXPECT_NEAR(light_at(0.31F), beside, 0.01F * beside);
-  EXPECT_NEAR(light_at(-0.31F), light_at(-0.5F), 0.01F * beside);
+  EXPECT_NEAR(light_at(0.81F), beside, 0.1F * beside);
+  EXPECT_NEAR(light_at(-0.81F), light_at(-1.0F), 0.1F * beside);
   // Where there is nothing but buried records, they count.
   EXPECT_LT(light_at(0.0F), 0.1F * beside);
+}
+
+/// A floor under two black boards that leave a gap around x = 0.75 m, at which records half a metre
+/// apart do not lie: what the store says of its middle, and what there is, means over its length.
+std::array<float, 2> LightInGap(float width_m) {
+  Scene scene;
+  scene.materials = {LambertianMaterial(Rgb::Zero())};
+  scene.meshes = {FloorMesh(4.0F, 0)};
+  const float left_m = 0.75F - 0.5F * width_m;
+  const float right_m = 0.75F + 0.5F * width_m;
+  AddBox({-4.5F, -6.0F, -1.0F}, {left_m + 4.5F, 12.0F, 1.05F}, 0, &scene.meshes);
+  AddBox({right_m, -6.0F, -1.0F}, {4.5F - right_m, 12.0F, 1.05F}, 0, &scene.meshes);
+  StoredScene stored(Spacing(0.5F), scene);
+  float looked_up = 0.0F;
+  float truth = 0.0F;
+  constexpr int kNumPoints = 100;
+  for (int i = 0; i < kNumPoints; ++i) {
+    const float across = 0.3F + 0.4F * static_cast<float>(i) / kNumPoints;
+    ShadingPoint point = FloorPoint((0.75F + 4.0F) / 8.0F, across);
+    point.position_m = {0.75F, across * 8.0F - 4.0F, 0.0F};
+    const Vec3f origin_m = point.RayOriginM();
+    looked_up += stored.store.Lookup(point).z[0] / kNumPoints;
+    truth += stored.lit.gatherer.Gather(origin_m, point.geometric_normal, 1).light.z[0] / kNumPoints;
+  }
+  return {looked_up, truth};
+}
+
+TEST(LightStore, RecordsMoveIntoGapsBetweenBodies) {
+  const auto [stored, truth] = LightInGap(0.2F);
+  EXPECT_GT(truth, 1.0F);
+  EXPECT_NEAR(stored, truth, 0.4F * truth);
+}
+
+TEST(LightStore, GapsWithoutRecordsAreNotBlack) {
+  const auto [stored, truth] = LightInGap(0.01F);
+  EXPECT_GT(truth, 0.05F);
+  EXPECT_NEAR(stored, truth, 0.5F * truth);
 }
 
 TEST(LightStore, LittleMemoryGivesTheSameLookups) {
