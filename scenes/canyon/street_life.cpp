@@ -137,7 +137,7 @@ void PlantTree(const BuildContext& context,
   design.clear_m = random.Uniform(2.6, 3.4);
   design.leaf = kerb_plan.leaf;
   const double fineness = distance_m < kFineReach_m ? 1.0 : 0.35;
-  design.num_leaves = static_cast<int>(fineness * 170.0 * design.crown_radius_m *
+  design.num_leaves = static_cast<int>(fineness * 300.0 * design.crown_radius_m *
                                        (design.height_m - design.clear_m));
   BuildTree(context, design, foot_m, random);
 }

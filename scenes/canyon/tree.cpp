@@ -69,12 +69,12 @@ void BuildTree(const BuildContext& context,
     double radius_m;
   };
   std::vector<Clump> clumps;
-  const int num_clumps = std::max(6, static_cast<int>(std::lround(9.0 * design.crown_radius_m)));
+  const int num_clumps = std::max(6, static_cast<int>(std::lround(15.0 * design.crown_radius_m)));
   for (int i = 0; i < num_clumps; ++i) {
     const double up = (i + 0.5) / num_clumps;
     // Widest a little under the middle, round at the top.
     const double width = std::sqrt(std::max(0.05, 1.0 - std::pow(1.9 * (up - 0.42), 2.0)));
-    const double radius_m = design.crown_radius_m * random.Uniform(0.26, 0.4);
+    const double radius_m = design.crown_radius_m * random.Uniform(0.2, 0.34);
     const double reach_m = std::max(0.0, width * design.crown_radius_m - radius_m) *
                            std::sqrt(random.Uniform(0.2, 1.0));
     const double angle_rad = 2.4 * i + random.Uniform(-0.5, 0.5);
@@ -90,7 +90,7 @@ void BuildTree(const BuildContext& context,
     const Vec3d away = RandomUnit(random);
     const Vec3d at_m = clump.center_m + clump.radius_m * std::cbrt(random.Uniform(0.15, 1.0)) *
                                             away.cwiseProduct(Vec3d(1, 1, 0.8));
-    const double length_m = random.Uniform(0.10, 0.2);
+    const double length_m = random.Uniform(0.08, 0.16);
     const Vec2d from_axis_m = (at_m - foot_m).head<2>();
     if (from_axis_m.norm() + length_m > design.crown_radius_m) {
       continue;
