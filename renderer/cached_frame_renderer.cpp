@@ -3,9 +3,9 @@
 
 #include "renderer/core/parallel.h"
 #include "renderer/pixel_context.h"
+#include "renderer/pixel_rays.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -15,29 +15,6 @@ namespace {
 
 constexpr int kTilePx = 16;
 
-/// Textures are filtered over this share of a stratum's sides: the interpolation between texels
-/// widens the filter by the rest.
-constexpr float kFootprintShare = 0.6F;
-
-/// The strata of a pixel's first samples: the columns and rows of a grid of which each cell holds
-/// one of the first num_samples points of the sampler's sequence, if that is a power of two.
-struct Strata {
-  explicit Strata(int num_samples) {
-    constexpr int kMaxStrata = 64;
-    const auto bits = static_cast<int>(std::bit_width(
-                          static_cast<unsigned>(std::clamp(num_samples, 1, kMaxStrata)))) -
-                      1;
-    columns = static_cast<float>(1 << ((bits + 1) / 2));
-    rows = static_cast<float>(1 << (bits / 2));
-  }
-  Vec2f Middle(const Vec2f& place) const {
-    return {(std::floor(place.x() * columns) + 0.5F) / columns,
-            (std::floor(place.y() * rows) + 0.5F) / rows};
-  }
-  float columns;
-  float rows;
-};
-
 /// What is known of a pixel: sums over its samples.
 struct PixelSums {
   Rgb radiance = Rgb::Zero();
@@ -46,80 +23,32 @@ struct PixelSums {
   int num_samples = 0;
 };
 
-/// The directions of one pixel in the world.
-class PixelRays {
- public:
-  PixelRays(const LensRaster& raster, const RigidTransform& world_from_camera, int x, int y)
-      : lens_(raster.OwnLens()),
-        world_from_camera_(world_from_camera),
-        corner_px_(x, y),
-        is_inside_(raster.IsInside(x, y)) {
-    if (is_inside_) {
-      const std::array<Vec3f, 4> corners = raster.CornerDirections(x, y);
-      const Eigen::Matrix3f rotation = world_from_camera.rotation.toRotationMatrix().cast<float>();
-      origin_ = rotation * corners[0];
-      along_x_ = rotation * (corners[1] - corners[0]);
-      along_y_ = rotation * (corners[2] - corners[0]);
-      twist_ = rotation * (corners[3] - corners[2] - corners[1] + corners[0]);
-    }
-  }
+/// A camera ray.
+struct CameraRay {
+  Vec3f origin_m;
+  Vec3f direction;
+  RayFootprint footprint;
+};
 
-  /// The unit direction of a place in the pixel, both coordinates in [0, 1); nothing outside the
-  /// field of view.
-  std::optional<Vec3f> Direction(const Vec2f& place) const {
-    if (is_inside_) {
-      return Vec3f(origin_ + place.x() * along_x_ + place.y() * (along_y_ + place.x() * twist_))
-          .normalized();
-    }
-    const std::optional<Vec3d> direction = lens_.Unproject(corner_px_ + place.cast<double>());
-    if (!direction.has_value()) {
-      return std::nullopt;
-    }
-    return Vec3f(world_from_camera_.Direction(*direction).cast<float>());
-  }
-
-  /// The bundle of a sample at `place` that stands for the stratum around `middle`.
-  RayFootprint Footprint(const Vec2f& place, const Vec2f& middle, const Strata& strata) const {
-    if (!is_inside_) {
-      // The rim: narrow, and never far from its own place.
-      const float pixel = static_cast<float>(1.0 / lens_.FocalPx().minCoeff());
-      return {Vec3f::Zero(), Vec3f::Constant(0.5F * pixel / strata.columns), Vec3f::Zero()};
-    }
-    const Vec3f dx = along_x_ + place.y() * twist_;
-    const Vec3f dy = along_y_ + place.x() * twist_;
-    return {(middle.x() - place.x()) * dx + (middle.y() - place.y()) * dy,
-            dx * (kFootprintShare / strata.columns),
-            dy * (kFootprintShare / strata.rows)};
-  }
-
- private:
-  const Lens& lens_;
-  const RigidTransform& world_from_camera_;
-  Vec2d corner_px_;
-  bool is_inside_;
-  Vec3f origin_ = Vec3f::Zero();
-  Vec3f along_x_ = Vec3f::Zero();
-  Vec3f along_y_ = Vec3f::Zero();
-  Vec3f twist_ = Vec3f::Zero();
+/// Where the light of a sample goes.
+struct SampleTarget {
+  PixelSums* sums = nullptr;
+  bool is_first_half = false;
+  /// May be null.
+  CellFilm::Cell* cell = nullptr;
 };
 
 /// Collects samples until a packet is full, then traces it and adds the results to their pixels.
 class PacketBuilder {
  public:
-  PacketBuilder(const CachedLightTracer& tracer, const Vec3d& origin_m)
-      : tracer_(tracer), origin_m_(origin_m.cast<float>()) {}
+  explicit PacketBuilder(const CachedLightTracer& tracer) : tracer_(tracer) {}
 
-  void Add(const Vec3f& direction,
-           const RayFootprint& footprint,
-           const PixelSampler& sampler,
-           bool is_first_half,
-           PixelSums& sums) {
+  void Add(const CameraRay& ray, const PixelSampler& sampler, const SampleTarget& target) {
     const auto lane = static_cast<size_t>(count_);
-    packet_.rays.Set(count_, origin_m_, direction);
-    packet_.footprints[lane] = footprint;
+    packet_.rays.Set(count_, ray.origin_m, ray.direction);
+    packet_.footprints[lane] = ray.footprint;
     packet_.samplers[lane] = sampler;
-    sums_[lane] = &sums;
-    half_weights_[lane] = is_first_half ? 1.0F : 0.0F;
+    targets_[lane] = target;
     if (++count_ == kPacketSize) {
       Flush();
     }
@@ -135,8 +64,13 @@ class PacketBuilder {
       const Rgb& value = radiance[lane];
       // A triangle without area has no normal; what came of it must not spoil the whole pixel.
       if (value.isFinite().all()) {
-        sums_[lane]->radiance += value;
-        sums_[lane]->half_luminance += half_weights_[lane] * Luminance(value);
+        const SampleTarget& target = targets_[lane];
+        target.sums->radiance += value;
+        target.sums->half_luminance += target.is_first_half ? Luminance(value) : 0.0F;
+        if (target.cell != nullptr) {
+          target.cell->sum += value;
+          target.cell->num_samples += 1.0F;
+        }
       }
     }
     packet_.rays.active = 0;
@@ -145,10 +79,8 @@ class PacketBuilder {
 
  private:
   const CachedLightTracer& tracer_;
-  Vec3f origin_m_;
   CameraPacket packet_;
-  std::array<PixelSums*, kPacketSize> sums_{};
-  std::array<float, kPacketSize> half_weights_{};
+  std::array<SampleTarget, kPacketSize> targets_{};
   int count_ = 0;
 };
 
@@ -158,10 +90,15 @@ class ViewSampler {
   ViewSampler(const CachedLightTracer& tracer,
               const LensRaster& raster,
               const View& view,
-              const PixelSampling& sampling)
+              const PixelSampling& sampling,
+              CellFilm* film)
       : tracer_(tracer),
         raster_(raster),
         view_(view),
+        film_(film),
+        exposure_(view.exposure != nullptr && !view.exposure->IsStill() ? view.exposure : nullptr),
+        still_(exposure_ == nullptr ? view.world_from_camera : RigidTransform{}),
+        origin_m_(view.world_from_camera.translation_m.cast<float>()),
         sampling_(sampling),
         strata_(sampling.num_samples),
         sums_(static_cast<size_t>(view.width_px) * static_cast<size_t>(view.height_px)) {}
@@ -176,19 +113,24 @@ class ViewSampler {
     if (raster_.IsOutside(x, y)) {
       return;
     }
-    const PixelRays rays(raster_, view_.world_from_camera, x, y);
+    const PixelRays rays(raster_, still_, x, y);
     const PixelSampler pixel(
         view_.seed, view_.frame, view_.view_idx, static_cast<uint64_t>(Index(x, y)), 0);
     for (int i = first; i < num_samples; ++i) {
       PixelSampler sampler = pixel.ForSample(static_cast<uint32_t>(i));
       const Vec2f place = sampler.Get2D().cast<float>().cwiseMin(kBelowOne);
       const std::optional<Vec3f> direction = rays.Direction(place);
+      CellFilm::Cell* cell = film_ != nullptr ? &film_->At(x, y, place) : nullptr;
       if (direction.has_value()) {
-        builder.Add(*direction,
-                    rays.Footprint(place, strata_.Middle(place), strata_),
-                    sampler,
-                    i < sampling_.num_samples / 2,
-                    sums);
+        const CameraRay ray =
+            exposure_ == nullptr
+                ? CameraRay{origin_m_,
+                            *direction,
+                            rays.Footprint(place, strata_.Middle(place), strata_)}
+                : MovingRay(*direction, rays.MovingFootprint(place), x, y, place, sampler);
+        builder.Add(ray, sampler, {&sums, i < sampling_.num_samples / 2, cell});
+      } else if (cell != nullptr) {
+        cell->num_samples += 1.0F;
       }
     }
   }
@@ -220,6 +162,23 @@ class ViewSampler {
  private:
   static constexpr float kBelowOne = 0x1.fffffep-1F;
 
+  /// The ray of a direction and footprint in the camera at a time of the exposure.
+  CameraRay MovingRay(const Vec3f& direction,
+                      const RayFootprint& footprint,
+                      int x,
+                      int y,
+                      const Vec2f& place,
+                      PixelSampler& sampler) const {
+    const Vec2d image_place((x + place.x()) / view_.width_px, (y + place.y()) / view_.height_px);
+    const ExposurePoses::Pose pose =
+        exposure_->At(exposure_->OwnShutter().TimeS(sampler.Get2D(), image_place));
+    return {pose.origin_m,
+            pose.world_from_camera * direction,
+            {Vec3f::Zero(),
+             pose.world_from_camera * footprint.axis_x,
+             pose.world_from_camera * footprint.axis_y}};
+  }
+
   size_t Index(int x, int y) const {
     return static_cast<size_t>(y) * static_cast<size_t>(view_.width_px) + static_cast<size_t>(x);
   }
@@ -227,6 +186,12 @@ class ViewSampler {
   const CachedLightTracer& tracer_;
   const LensRaster& raster_;
   const View& view_;
+  CellFilm* film_;
+  /// Null when nothing moves.
+  const ExposurePoses* exposure_;
+  /// World from camera; the identity when the camera moves.
+  RigidTransform still_;
+  Vec3f origin_m_;
   PixelSampling sampling_;
   Strata strata_;
   std::vector<PixelSums> sums_;
@@ -260,13 +225,14 @@ Image<float> RenderCachedRadiance(const CachedLightTracer& tracer,
                                   const PixelSampling& sampling,
                                   int num_threads,
                                   Progress* progress,
-                                  const std::function<std::string(int x, int y)>& describe_pixel) {
-  ViewSampler sampler(tracer, raster, view, sampling);
+                                  const std::function<std::string(int x, int y)>& describe_pixel,
+                                  CellFilm* film) {
+  ViewSampler sampler(tracer, raster, view, sampling, film);
   const auto for_each_pixel = [&](const auto& num_samples_at) {
     ForEachTile(view, num_threads, [&](const Tile& tile) {
       PixelContext context(describe_pixel);
       const FailureContext scope(&context);
-      PacketBuilder builder(tracer, view.world_from_camera.translation_m);
+      PacketBuilder builder(tracer);
       for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
           context.x = x;

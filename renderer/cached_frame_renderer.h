@@ -3,6 +3,7 @@
 
 #include "renderer/core/image.h"
 #include "renderer/core/progress.h"
+#include "renderer/film/cell_film.h"
 #include "renderer/frame_renderer.h"
 #include "renderer/lens/lens_raster.h"
 #include "renderer/trace/cached_light_tracer.h"
@@ -29,14 +30,17 @@ struct PixelSampling {
 /// but by stored light. Every pixel gets its first samples; from these alone it follows how many
 /// more it and its neighbours get, so that the image does not depend on the number of threads. Of
 /// each first sample's stratum of the pixel, textures are looked up in the middle, over the
-/// stratum. `progress`, when given, is advanced by one for each pixel.
+/// stratum; samples of a view that moves in its exposure have a time in it and stand for the whole
+/// pixel. `progress`, when given, is advanced by one for each pixel. `film`, when given, collects
+/// all samples in its cells.
 Image<float> RenderCachedRadiance(const CachedLightTracer& tracer,
                                   const LensRaster& raster,
                                   const View& view,
                                   const PixelSampling& sampling,
                                   int num_threads,
                                   Progress* progress,
-                                  const std::function<std::string(int x, int y)>& describe_pixel);
+                                  const std::function<std::string(int x, int y)>& describe_pixel,
+                                  CellFilm* film = nullptr);
 
 /// The records that the view looks up and nobody has wanted before, found with a ray through each
 /// second pixel.

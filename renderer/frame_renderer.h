@@ -4,6 +4,8 @@
 #include "renderer/core/image.h"
 #include "renderer/core/progress.h"
 #include "renderer/core/rigid_transform.h"
+#include "renderer/film/cell_film.h"
+#include "renderer/film/shutter.h"
 #include "renderer/lens/lens.h"
 #include "renderer/trace/path_tracer.h"
 
@@ -13,7 +15,7 @@
 
 namespace pfseq {
 
-/// One camera with one lens at one time.
+/// One camera with one lens at one time, or during an exposure about it.
 struct View {
   const Lens* lens = nullptr;
   RigidTransform world_from_camera;
@@ -24,11 +26,18 @@ struct View {
   uint64_t seed = 0;
   uint64_t frame = 0;
   uint64_t view_idx = 0;
+  /// Null: all light falls at once.
+  const ExposurePoses* exposure = nullptr;
 };
 
 /// Mean radiance over a pixel (box filter), linear Rec. 709. Samples that fall outside the image
-/// circle are black, so the circle's edge is smooth.
-Rgb RenderPixel(const PathTracer& tracer, const View& view, int num_samples, int x, int y);
+/// circle are black, so the circle's edge is smooth. `film`, when given, collects the samples.
+Rgb RenderPixel(const PathTracer& tracer,
+                const View& view,
+                int num_samples,
+                int x,
+                int y,
+                CellFilm* film = nullptr);
 
 /// All pixels, three channels. `progress`, when given, is advanced by one for each pixel.
 /// `describe_pixel` tells in a crash how to repeat the pixel alone.
@@ -37,6 +46,7 @@ Image<float> RenderRadiance(const PathTracer& tracer,
                             int num_samples,
                             int num_threads,
                             Progress* progress,
-                            const std::function<std::string(int x, int y)>& describe_pixel);
+                            const std::function<std::string(int x, int y)>& describe_pixel,
+                            CellFilm* film = nullptr);
 
 }  // namespace pfseq

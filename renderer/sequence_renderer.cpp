@@ -2,19 +2,12 @@
 #include "renderer/sequence_renderer.h"
 
 #include "renderer/core/error.h"
-#include "renderer/core/file.h"
-#include "renderer/core/parallel.h"
 #include "renderer/core/progress.h"
-#include "renderer/film/sensor.h"
-#include "renderer/frame_renderer.h"
-#include "renderer/ground_truth.h"
 #include "renderer/lens/trajectory_file.h"
+#include "renderer/record_renderer.h"
 #include "renderer/sequence/poses_file.h"
 #include "renderer/sequence/sequence_model.h"
-#include "renderer/sequence/sequence_schema.h"
-#include "renderer/trace/lighting.h"
-#include "renderer/trace/path_tracer.h"
-#include "renderer/trace/ray_scene.h"
+#include "renderer/studio.h"
 
 #include <algorithm>
 #include <functional>
@@ -26,13 +19,6 @@
 namespace pfseq {
 namespace {
 
-/// One camera with one lens at one frame.
-struct Record {
-  int frame = 0;
-  size_t camera_idx = 0;
-  size_t lens_idx = 0;
-};
-
 /// CPU seconds of the process so far.
 double CpuSeconds() {
   rusage usage{};
@@ -42,108 +28,6 @@ double CpuSeconds() {
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
-
-/// Standard error of a pixel at which it gets no more samples, relative to its value.
-constexpr float kNoiseTolerance = 0.06F;
-
-/// Stands for all that the light in a scene depends on.
-std::string LightHash(const SequenceInput& input) {
-  SequenceSpec light_alone;
-  light_alone.light = input.spec.light;
-  // Its bytes count, not its name.
-  light_alone.light.sky.map.clear();
-  std::string text = CanonicalYaml(light_alone);
-  for (const DescriptionFile& file : input.files) {
-    if (file.name == kSceneFile || file.name == kExrSkyMapFile || file.name == kHdrSkyMapFile) {
-      text += Sha256Hex(file.bytes);
-    }
-  }
-  return Sha256Hex(text);
-}
-
-/// All that the frames of a sequence share, built once.
-class Studio {
- public:
-  Studio(const SequenceInput& input, int num_threads)
-      : input_(input),
-        spec_(input.spec),
-        rig_(MakeRigFile(input.spec)),
-        poses_(FramePoses(input.spec.trajectory)),
-        scene_(input.scene),
-        textures_(*input.scene),
-        lighting_(input.lighting != nullptr ? input.lighting
-                                            : std::make_shared<const Lighting>(MakeLighting(
-                                                  input.spec.light, input.scene->sun))),
-        tracer_(scene_,
-                textures_,
-                *lighting_,
-                PathTracerOptions{.max_bounces = input.spec.render.max_bounces,
-                                  .min_indirect_roughness = static_cast<float>(
-                                      input.spec.render.min_indirect_roughness)}) {
-    for (const auto& lens : rig_.lenses) {
-      rasters_.push_back(
-          std::make_unique<LensRaster>(lens.value, rig_.width_px, rig_.height_px, num_threads));
-    }
-  }
-
-  bool UsesCachedLight() const { return spec_.render.light == "cached"; }
-
-  /// Loads the stored light; the tracer of UsesCachedLight.
-  void LoadLight(const LightCacheOptions& options) {
-    std::vector<Vec3d> positions_m;
-    for (const StampedPose& pose : poses_) {
-      positions_m.push_back(pose.world_from_rig.translation_m);
-    }
-    light_ = std::make_unique<CachedLight>(
-        scene_, textures_, *lighting_, spec_.render, positions_m, LightHash(input_), options);
-  }
-  CachedLight& Light() const { return *light_; }
-  const LensRaster& RasterOf(const Record& record) const { return *rasters_[record.lens_idx]; }
-
-  PixelSampling Sampling() const {
-    // White paint in the open, without the sun, is pi times as bright as this.
-    const float reference = Luminance(lighting_->sky.HorizontalIrradiance()) / 10.0F;
-    return {spec_.render.samples, spec_.render.max_samples, kNoiseTolerance, reference};
-  }
-
-  const RigFile& Rig() const { return rig_; }
-  const std::vector<StampedPose>& Poses() const { return poses_; }
-  const PathTracer& Tracer() const { return tracer_; }
-  const RayScene& Rays() const { return scene_; }
-
-  View ViewOf(const Record& record) const {
-    // Keyed by the place in the description, not in the selection: a frame is the same whatever
-    // else is rendered.
-    constexpr uint64_t kMaxLenses = 1024;
-    return {&rig_.lenses[record.lens_idx].value,
-            poses_[static_cast<size_t>(record.frame)].world_from_rig *
-                rig_.cameras[record.camera_idx].rig_from_camera,
-            rig_.width_px,
-            rig_.height_px,
-            spec_.render.seed,
-            static_cast<uint64_t>(record.frame),
-            record.camera_idx * kMaxLenses + record.lens_idx};
-  }
-
-  FrameFile FileOf(const Record& record, Output output) const {
-    return {rig_.lenses[record.lens_idx].name,
-            rig_.cameras[record.camera_idx].name,
-            output,
-            record.frame};
-  }
-
- private:
-  const SequenceInput& input_;
-  const SequenceSpec& spec_;
-  RigFile rig_;
-  std::vector<StampedPose> poses_;
-  RayScene scene_;
-  TextureSet textures_;
-  std::shared_ptr<const Lighting> lighting_;
-  PathTracer tracer_;
-  std::vector<std::unique_ptr<LensRaster>> rasters_;
-  std::unique_ptr<CachedLight> light_;
-};
 
 /// Positions in `items` of the selected names, in the order of `items`; all when nothing is
 /// selected.
@@ -212,103 +96,43 @@ std::vector<DescriptionFile> DescriptionFiles(const SequenceInput& input, const 
   return files;
 }
 
-/// Renders the outputs of a record that are not there yet.
-class RecordRenderer {
- public:
-  RecordRenderer(const Studio& studio,
-                 const SequenceSpec& spec,
-                 const SequenceWriter& writer,
-                 const RenderOptions& options)
-      : studio_(studio), spec_(spec), writer_(writer), options_(options) {}
-
-  std::vector<Output> Missing(const Record& record) const {
-    std::vector<Output> missing;
-    for (const Output output : options_.outputs) {
-      if (!writer_.Has(studio_.FileOf(record, output))) {
-        missing.push_back(output);
-      }
+/// The outputs that a description asks for unless told otherwise; pictures in their file format.
+RenderOptions WithOutputs(RenderOptions options, const SequenceSpec& spec) {
+  if (options.outputs.empty()) {
+    options.outputs = {Output::kClean, Output::kDistance, Output::kSky};
+    if (spec.IsRealistic()) {
+      options.outputs.insert(options.outputs.begin(), Output::kRealistic);
     }
-    return missing;
   }
-
-  void Render(const Record& record, const std::vector<Output>& outputs, Progress& progress) const {
-    const View view = studio_.ViewOf(record);
-    const auto wanted = [&](Output output) {
-      return std::find(outputs.begin(), outputs.end(), output) != outputs.end();
-    };
-    GroundTruth truth;
-    if (wanted(Output::kDistance) || wanted(Output::kSky)) {
-      truth = RenderGroundTruth(studio_.Rays(),
-                                studio_.RasterOf(record),
-                                view.world_from_camera,
-                                spec_.ground_truth.max_distance_m,
-                                options_.num_threads);
-    }
-    Image<float> radiance;
-    if (wanted(Output::kClean) || wanted(Output::kLinear)) {
-      const FrameFile file = studio_.FileOf(record, Output::kClean);
-      const auto describe_pixel = [&](int x, int y) {
-        return fmt::format(
-            "to repeat: pfseq render {} --frames {} --cameras {} --lenses {} --pixel {},{}",
-            (options_.folder / kSequenceFile).string(),
-            file.frame,
-            file.camera,
-            file.lens,
-            x,
-            y);
-      };
-      radiance = studio_.UsesCachedLight() ? RenderCachedRadiance(studio_.Light().Tracer(),
-                                                                  studio_.RasterOf(record),
-                                                                  view,
-                                                                  studio_.Sampling(),
-                                                                  options_.num_threads,
-                                                                  &progress,
-                                                                  describe_pixel)
-                                           : RenderRadiance(studio_.Tracer(),
-                                                            view,
-                                                            spec_.render.samples,
-                                                            options_.num_threads,
-                                                            &progress,
-                                                            describe_pixel);
-    }
-    ParallelFor(outputs.size(), options_.num_threads, [&](size_t i) {
-      writer_.WriteFrameFile(studio_.FileOf(record, outputs[i]),
-                             Encode(outputs[i], truth, radiance));
-    });
+  if (spec.sensor.jpeg_quality > 0) {
+    std::replace(
+        options.outputs.begin(), options.outputs.end(), Output::kRealistic, Output::kRealisticJpeg);
   }
-
- private:
-  Bytes Encode(Output output, const GroundTruth& truth, const Image<float>& radiance) const {
-    switch (output) {
-      case Output::kClean:
-        return EncodePng(Sensor(spec_.sensor).Encode(radiance));
-      case Output::kLinear:
-        return EncodeExrHalf(radiance);
-      case Output::kDistance:
-        return EncodeExrFloat(truth.distance_m);
-      case Output::kSky:
-        return EncodePng(truth.sky);
-    }
-    PFSEQ_CHECK(false, "output {}", static_cast<int>(output));
-  }
-
-  const Studio& studio_;
-  const SequenceSpec& spec_;
-  const SequenceWriter& writer_;
-  const RenderOptions& options_;
-};
+  return options;
+}
 
 }  // namespace
 
 RigFile MakeRigFile(const SequenceSpec& spec) {
-  return {spec.image.size_px[0],
-          spec.image.size_px[1],
-          spec.ground_truth.max_distance_m,
-          MakeCameras(spec),
-          MakeLenses(spec)};
+  RigFile rig{spec.image.size_px[0],
+              spec.image.size_px[1],
+              spec.ground_truth.max_distance_m,
+              MakeCameras(spec),
+              MakeLenses(spec),
+              {}};
+  const LateralColorSpec lateral = ScaledOptics(spec.optics, spec.image.size_px[0]).lateral_color;
+  if (lateral.rim_px != 0.0) {
+    for (const Named<Lens>& lens : rig.lenses) {
+      rig.channel_polynomials.push_back(
+          LateralColor(lateral.rim_px, lateral.cubic, 0.5 * lens.value.CirclePx())
+              .ChannelPolynomials());
+    }
+  }
+  return rig;
 }
 
-RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& options) {
+RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& given_options) {
+  const RenderOptions options = WithOutputs(given_options, input.spec);
   PFSEQ_CHECK(options.num_shards >= 1 && options.shard_idx >= 0 &&
               options.shard_idx < options.num_shards);
   Studio studio(input, options.num_threads);
@@ -333,43 +157,39 @@ RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& op
     }
   }
 
-  const uint64_t pixels_a_record =
+  const uint64_t pixels_a_rendering =
       static_cast<uint64_t>(studio.Rig().width_px) * studio.Rig().height_px;
-  const auto has_color = [](const auto& item) {
-    return std::any_of(item.second.begin(), item.second.end(), [](Output output) {
-      return output == Output::kClean || output == Output::kLinear;
-    });
-  };
-  const auto num_color_records =
-      static_cast<uint64_t>(std::count_if(work.begin(), work.end(), has_color));
+  uint64_t num_renderings = 0;
+  for (const auto& [record, outputs] : work) {
+    num_renderings += static_cast<uint64_t>(renderer.NumRenderings(record, outputs));
+  }
   const double light_start_s = CpuSeconds();
-  if (studio.UsesCachedLight() && num_color_records > 0) {
+  if (studio.UsesCachedLight() && num_renderings > 0) {
     studio.LoadLight(options.light_cache);
     std::vector<RasterView> views;
-    for (const auto& item : work) {
-      if (has_color(item)) {
-        views.push_back({&studio.RasterOf(item.first), studio.ViewOf(item.first)});
-      }
+    for (const auto& [record, outputs] : work) {
+      const std::vector<RasterView> lit = renderer.LitViews(record, outputs);
+      views.insert(views.end(), lit.begin(), lit.end());
     }
     studio.Light().Prepare(views, options.num_threads, options.quiet);
   }
   const double frames_start_s = CpuSeconds();
   // Without colour each record is one step; with colour the pixels are what takes the time.
   Progress progress("render",
-                    num_color_records > 0 ? num_color_records * pixels_a_record : work.size(),
+                    num_renderings > 0 ? num_renderings * pixels_a_rendering : work.size(),
                     options.quiet);
   for (const auto& [record, outputs] : work) {
     const FrameFile file = studio.FileOf(record, outputs.front());
     progress.SetDetail(fmt::format("frame {} {} {}", file.frame, file.camera, file.lens));
     renderer.Render(record, outputs, progress);
     summary.num_files_written += static_cast<int>(outputs.size());
-    if (num_color_records == 0) {
+    if (num_renderings == 0) {
       progress.Advance();
     }
   }
   progress.Finish();
   const double frames_end_s = CpuSeconds();
-  if (studio.UsesCachedLight() && num_color_records > 0) {
+  if (studio.UsesCachedLight() && num_renderings > 0) {
     studio.Light().Save();
     if (!options.quiet) {
       fmt::print(stderr, "{}\n", studio.Light().Summary());

@@ -22,7 +22,9 @@ struct RenderOptions {
   std::vector<int> frames;
   std::vector<std::string> cameras;
   std::vector<std::string> lenses;
-  std::vector<Output> outputs = {Output::kClean, Output::kDistance, Output::kSky};
+  /// Empty: clean, distance and sky, and realistic where the description turns on a shutter,
+  /// optics or a sensor.
+  std::vector<Output> outputs;
   OnExisting on_existing = OnExisting::kRefuse;
   /// This run takes each num_shards-th record (frame, camera, lens), starting with shard_idx.
   int shard_idx = 0;

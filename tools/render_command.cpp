@@ -18,6 +18,8 @@ Examples:
   pfseq render data/sequences/pfseq.yaml --out out/pfseq --frames 0,24,40
   pfseq render data/sequences/pfseq.yaml --out out/small --set image.size_px=300 --set render.samples=16
   pfseq render data/sequences/pfseq.yaml --out out/truth --outputs distance,sky
+  pfseq render data/sequences/pfseq.yaml --out out/lens --frames 0 --set optics=data/optics/strong.yaml
+  pfseq render data/sequences/pfseq.yaml --out out/shutter --frames 24 --set shutter.exposure_s=0.1
   pfseq render data/sequences/pfseq.yaml --out out/pfseq --resume --shard 0/4     one of four machines
   pfseq render data/sequences/pfseq.yaml --frames 24 --cameras front --lenses equisolid --pixel 600,300
 
@@ -152,8 +154,10 @@ void AddRenderCommand(CLI::App& app) {
   command
       ->add_option("--outputs",
                    flags->outputs,
-                   "What to write: clean, linear (half-float EXR), distance, sky (default: "
-                   "clean,distance,sky)")
+                   "What to write: realistic, clean, linear (half-float EXR of clean), distance, "
+                   "sky, blur (way in px while the shutter is open), flare (half-float EXR); "
+                   "default: clean,distance,sky and, where shutter, optics or sensor are on, "
+                   "realistic")
       ->delimiter(',');
   CLI::Option* resume =
       command->add_flag("--resume", flags->resume, "Go on with a sequence of the same description");

@@ -17,6 +17,9 @@ class Sensor {
   /// name is unknown or the exposure is not positive.
   explicit Sensor(const SensorSpec& spec);
 
+  /// Multiplies radiance.
+  float Exposure() const { return exposure_; }
+
   /// The tone curve, from exposed linear values to [0, 1]. clip: min(x, 1). shoulder: x up to the
   /// knee k = 0.6, above it 1 - (1 - k) exp(-(x - k) / (1 - k)), which goes on with the same slope
   /// and reaches 1 at infinity.

@@ -56,6 +56,8 @@ OIIO::ImageSpec ExrSpec(const Image<float>& image, OIIO::TypeDesc type) {
   OIIO::ImageSpec spec(image.WidthPx(), image.HeightPx(), image.NumChannels(), type);
   if (image.NumChannels() == 1) {
     spec.channelnames = {"Y"};
+  } else if (image.NumChannels() == 2) {
+    spec.channelnames = {"X", "Y"};
   }
   spec.attribute("compression", "zip");
   // Without this the time of writing would become part of the file.
@@ -152,6 +154,20 @@ Bytes EncodePng(const Image<uint8_t>& image, PngEffort effort) {
   return Encode("png", spec, OIIO::TypeDesc::UINT8, image.Values().data());
 }
 
+Bytes EncodePng16(const Image<uint16_t>& image) {
+  OIIO::ImageSpec spec(
+      image.WidthPx(), image.HeightPx(), image.NumChannels(), OIIO::TypeDesc::UINT16);
+  spec.attribute("png:compressionLevel", kDefaultPngLevel);
+  return Encode("png", spec, OIIO::TypeDesc::UINT16, image.Values().data());
+}
+
+Bytes EncodeJpeg(const Image<uint8_t>& image, int quality) {
+  OIIO::ImageSpec spec(
+      image.WidthPx(), image.HeightPx(), image.NumChannels(), OIIO::TypeDesc::UINT8);
+  spec.attribute("Compression", fmt::format("jpeg:{}", quality));
+  return Encode("jpg", spec, OIIO::TypeDesc::UINT8, image.Values().data());
+}
+
 Bytes EncodeExrFloat(const Image<float>& image) {
   return Encode(
       "exr", ExrSpec(image, OIIO::TypeDesc::FLOAT), OIIO::TypeDesc::FLOAT, image.Values().data());
@@ -166,7 +182,10 @@ Bytes EncodeExrHalf(const Image<float>& image) {
       "exr", ExrSpec(image, OIIO::TypeDesc::HALF), OIIO::TypeDesc::FLOAT, clamped.Values().data());
 }
 
-Image<uint8_t> ReadImage8(const std::filesystem::path& path) {
+namespace {
+
+/// A file of integers as 8 bits a channel; of 16 bits only if told.
+Image<uint8_t> ReadAs8(const std::filesystem::path& path, bool takes_16_bits) {
   if (!std::filesystem::exists(path)) {
     throw InputError("{}: no such file", path.string());
   }
@@ -174,12 +193,22 @@ Image<uint8_t> ReadImage8(const std::filesystem::path& path) {
     throw InputError("{}: damaged or truncated image: the PNG's end is missing", path.string());
   }
   OpenedImage opened = Open(path.string(), path.string(), nullptr);
-  if (opened.spec.format != OIIO::TypeDesc::UINT8) {
-    throw InputError(
-        "{}: expected 8 bits a channel, got {}", path.string(), opened.spec.format.c_str());
+  const bool is_readable = opened.spec.format == OIIO::TypeDesc::UINT8 ||
+                           (takes_16_bits && opened.spec.format == OIIO::TypeDesc::UINT16);
+  if (!is_readable) {
+    throw InputError("{}: expected 8 {}bits a channel, got {}",
+                     path.string(),
+                     takes_16_bits ? "or 16 " : "",
+                     opened.spec.format.c_str());
   }
   return ReadPixels<uint8_t>(path.string(), opened, OIIO::TypeDesc::UINT8);
 }
+
+}  // namespace
+
+Image<uint8_t> ReadImage8(const std::filesystem::path& path) { return ReadAs8(path, false); }
+
+Image<uint8_t> ReadPicture8(const std::filesystem::path& path) { return ReadAs8(path, true); }
 
 Image<float> ReadExr(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) {

@@ -22,7 +22,13 @@ enum class PngEffort { kSmall, kFast };
 /// PNG of an 8-bit image of 1, 3 or 4 channels.
 Bytes EncodePng(const Image<uint8_t>& image, PngEffort effort = PngEffort::kSmall);
 
-/// OpenEXR, float32, single-part scanlines, ZIP; one channel is named Y, three are R, G, B.
+/// PNG of 16 bits a channel.
+Bytes EncodePng16(const Image<uint16_t>& image);
+
+/// JPEG of an 8-bit image of 1 or 3 channels; quality from 1 to 100.
+Bytes EncodeJpeg(const Image<uint8_t>& image, int quality);
+
+/// OpenEXR, float32, single-part scanlines, ZIP; one channel is named Y, two X, Y, three R, G, B.
 Bytes EncodeExrFloat(const Image<float>& image);
 
 /// The same with half-float values; finite values are clamped to the range of half.
@@ -31,6 +37,9 @@ Bytes EncodeExrHalf(const Image<float>& image);
 /// Any 8-bit image file, with the channels it has. InputError that names `path` and the fault when
 /// it is missing, truncated, or not of 8 bits a channel.
 Image<uint8_t> ReadImage8(const std::filesystem::path& path);
+
+/// The same of 8 or 16 bits a channel, reduced to 8.
+Image<uint8_t> ReadPicture8(const std::filesystem::path& path);
 
 /// An OpenEXR file of float or half values. InputError as above.
 Image<float> ReadExr(const std::filesystem::path& path);

@@ -13,7 +13,16 @@ namespace {
 constexpr size_t kNumFrameDigits = 6;
 
 std::string_view Extension(Output output) {
-  return output == Output::kClean || output == Output::kSky ? ".png" : ".exr";
+  switch (output) {
+    case Output::kRealistic:
+    case Output::kClean:
+    case Output::kSky:
+      return ".png";
+    case Output::kRealisticJpeg:
+      return ".jpg";
+    default:
+      return ".exr";
+  }
 }
 
 std::optional<int> FrameFromStem(const std::string& stem) {
@@ -30,6 +39,9 @@ std::optional<int> FrameFromStem(const std::string& stem) {
 
 std::string_view OutputName(Output output) {
   switch (output) {
+    case Output::kRealistic:
+    case Output::kRealisticJpeg:
+      return "realistic";
     case Output::kClean:
       return "clean";
     case Output::kLinear:
@@ -38,6 +50,10 @@ std::string_view OutputName(Output output) {
       return "distance";
     case Output::kSky:
       return "sky";
+    case Output::kBlur:
+      return "blur";
+    case Output::kFlare:
+      return "flare";
   }
   PFSEQ_CHECK(false, "output {}", static_cast<int>(output));
 }
@@ -48,7 +64,8 @@ Output OutputFromName(std::string_view name) {
       return output;
     }
   }
-  throw InputError("output: expected clean, linear, distance or sky, got '{}'", name);
+  throw InputError(
+      "output: expected realistic, clean, linear, distance, sky, blur or flare, got '{}'", name);
 }
 
 std::string TrajectoryFile(std::string_view camera) {
@@ -72,7 +89,9 @@ std::optional<FrameFile> FrameFile::FromRelativePath(const std::filesystem::path
         return std::nullopt;
       }
       FrameFile file{parts[0].string(), parts[1].string(), output, *frame};
-      return file.RelativePath() == path ? std::optional(file) : std::nullopt;
+      if (file.RelativePath() == path) {
+        return file;
+      }
     }
   }
   return std::nullopt;

@@ -12,19 +12,30 @@ namespace pfseq {
 
 /// What is written for each frame, camera and lens.
 enum class Output {
-  kClean,     ///< clean/NNNNNN.png: 8-bit sRGB, no blur, no aberrations
-  kLinear,    ///< linear/NNNNNN.exr: half-float linear Rec. 709 radiance of the clean frame
-  kDistance,  ///< distance/NNNNNN.exr: float32, one channel Y, metres
-  kSky,       ///< sky/NNNNNN.png: 0 or 255
+  kRealistic,      ///< realistic/NNNNNN.png: with shutter, optics and sensor; 8 or 16 bits
+  kRealisticJpeg,  ///< realistic/NNNNNN.jpg: the same, where the sensor writes JPEG
+  kClean,          ///< clean/NNNNNN.png: 8-bit sRGB, no blur, no aberrations
+  kLinear,         ///< linear/NNNNNN.exr: half-float linear Rec. 709 radiance of the clean frame
+  kDistance,       ///< distance/NNNNNN.exr: float32, one channel Y, metres
+  kSky,            ///< sky/NNNNNN.png: 0 or 255
+  kBlur,           ///< blur/NNNNNN.exr: float32, channels X, Y: way in px while the shutter is open
+  kFlare,          ///< flare/NNNNNN.exr: half-float linear Rec. 709 radiance of sun star and ghosts
 };
 
-inline constexpr Output kAllOutputs[] = {
-    Output::kClean, Output::kLinear, Output::kDistance, Output::kSky};
+inline constexpr Output kAllOutputs[] = {Output::kRealistic,
+                                         Output::kRealisticJpeg,
+                                         Output::kClean,
+                                         Output::kLinear,
+                                         Output::kDistance,
+                                         Output::kSky,
+                                         Output::kBlur,
+                                         Output::kFlare};
 
-/// The folder name of an output, which is its name on the command line too.
+/// The folder name of an output, which is its name on the command line too; realistic for both of
+/// its formats.
 std::string_view OutputName(Output output);
 
-/// InputError with the known names when there is no such output.
+/// InputError with the known names when there is no such output; kRealistic for realistic.
 Output OutputFromName(std::string_view name);
 
 inline constexpr std::string_view kSequenceFile = "sequence.yaml";

@@ -47,6 +47,21 @@ std::string LensText(const Named<Lens>& named) {
   return text;
 }
 
+std::string ChannelText(const std::array<std::array<double, 2>, 3>& polynomials) {
+  std::string text =
+      "    # Of realistic frames: a channel's mean image height is r + c1 r + c3 r^3 of the height "
+      "r "
+      "above, in pixels.\n    lateral_color:\n";
+  constexpr std::array<const char*, 3> kChannels = {"red", "green", "blue"};
+  for (size_t channel = 0; channel < 3; ++channel) {
+    text += fmt::format("      {}: [{}, {}]\n",
+                        kChannels[channel],
+                        polynomials[channel][0],
+                        polynomials[channel][1]);
+  }
+  return text;
+}
+
 /// Access to the nodes of a file, with its faults as InputError.
 class RigNodes {
  public:
@@ -161,8 +176,11 @@ std::string RigFile::ToYaml() const {
                     q.w());
   }
   text += "lenses:\n";
-  for (const Named<Lens>& lens : lenses) {
-    text += LensText(lens);
+  for (size_t i = 0; i < lenses.size(); ++i) {
+    text += LensText(lenses[i]);
+    if (i < channel_polynomials.size()) {
+      text += ChannelText(channel_polynomials[i]);
+    }
   }
   return text;
 }

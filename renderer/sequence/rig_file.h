@@ -5,6 +5,7 @@
 #include "renderer/lens/lens.h"
 #include "renderer/sequence/sequence_spec.h"
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct RigFile {
   /// The first camera is the reference.
   std::vector<RigCamera> cameras;
   std::vector<Named<Lens>> lenses;
+  /// Of realistic frames, by lens: c1, c3 of red, green and blue (LateralColor); empty without
+  /// lateral colour. Written for people and other programs, not read.
+  std::vector<std::array<std::array<double, 2>, 3>> channel_polynomials;
 
   /// Text of rig.yaml; numbers are written so that they read back to the same bits.
   std::string ToYaml() const;

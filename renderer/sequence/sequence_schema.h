@@ -23,6 +23,9 @@ SequenceSpec ReadSequenceSpec(const std::filesystem::path& path,
 /// version. Reading it gives the same spec, and that the same text.
 std::string CanonicalYaml(const SequenceSpec& spec);
 
+/// The part `light` alone.
+std::string CanonicalYaml(const LightSpec& light);
+
 /// Reads a file that describes one lens, with the same keys as below lenses.NAME. InputError as
 /// above.
 LensSpec ReadLensSpec(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 // the one place that reads and writes them.
 #pragma once
 
+#include "renderer/sequence/camera_spec.h"
 #include "renderer/sequence/named.h"
 
 #include <array>
@@ -198,16 +199,6 @@ struct RenderSpec {
   bool operator==(const RenderSpec&) const = default;
 };
 
-struct SensorSpec {
-  /// Multiplies linear radiance before the tone curve. Absent ("auto" in the file): follows from
-  /// the light (renderer/film/exposure.h); a rendered sequence's description has the number.
-  std::optional<double> exposure;
-  /// clip (linear up to white) or shoulder (highlights roll off smoothly).
-  std::string tone_curve = "shoulder";
-
-  bool operator==(const SensorSpec&) const = default;
-};
-
 struct GroundTruthSpec {
   /// Distances beyond are +inf, like the sky.
   double max_distance_m = 500.0;
@@ -225,10 +216,15 @@ struct SequenceSpec {
   SceneSpec scene;
   LightSpec light;
   RenderSpec render;
+  ShutterSpec shutter;
+  OpticsSpec optics;
   SensorSpec sensor;
   GroundTruthSpec ground_truth;
 
   bool operator==(const SequenceSpec&) const = default;
+
+  /// Whether realistic frames differ from clean ones.
+  bool IsRealistic() const { return shutter.IsOn() || optics.IsOn() || sensor.IsRealistic(); }
 };
 
 }  // namespace pfseq

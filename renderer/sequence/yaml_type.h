@@ -205,18 +205,18 @@ YamlTypePtr<std::optional<T>> YamlWordOr(std::string word, YamlTypePtr<T> type) 
   return std::make_shared<YamlWordOrType<T>>(std::move(word), std::move(type));
 }
 
-/// A mapping from names to values, at least one.
+/// A mapping from names to values, at least one unless none are allowed.
 template <typename T>
 class YamlNamedType : public YamlType<std::vector<Named<T>>> {
  public:
-  YamlNamedType(std::string what, YamlTypePtr<T> type)
-      : what_(std::move(what)), type_(std::move(type)) {}
+  YamlNamedType(std::string what, YamlTypePtr<T> type, bool may_be_none)
+      : what_(std::move(what)), type_(std::move(type)), may_be_none_(may_be_none) {}
 
   void Read(const YamlValue& yaml,
             const std::string& key,
             std::vector<Named<T>>& value) const override {
     CheckIsMapping(yaml, key);
-    if (yaml.entries.empty()) {
+    if (yaml.entries.empty() && !may_be_none_) {
       FailExpected(yaml, key, Expected());
     }
     value.clear();
@@ -237,7 +237,7 @@ class YamlNamedType : public YamlType<std::vector<Named<T>>> {
   }
 
   std::string Expected() const override {
-    return "at least one " + what_ + " by name (a-z, 0-9, _)";
+    return (may_be_none_ ? "any number of " : "at least one ") + what_ + " by name (a-z, 0-9, _)";
   }
 
   void Describe(YamlKeyHelp help,
@@ -252,11 +252,14 @@ class YamlNamedType : public YamlType<std::vector<Named<T>>> {
  private:
   std::string what_;
   YamlTypePtr<T> type_;
+  bool may_be_none_;
 };
 
 template <typename T>
-YamlTypePtr<std::vector<Named<T>>> YamlNamed(std::string what, YamlTypePtr<T> type) {
-  return std::make_shared<YamlNamedType<T>>(std::move(what), std::move(type));
+YamlTypePtr<std::vector<Named<T>>> YamlNamed(std::string what,
+                                             YamlTypePtr<T> type,
+                                             bool may_be_none = false) {
+  return std::make_shared<YamlNamedType<T>>(std::move(what), std::move(type), may_be_none);
 }
 
 template <typename T>

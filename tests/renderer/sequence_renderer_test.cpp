@@ -2,6 +2,7 @@
 #include "renderer/sequence_renderer.h"
 
 #include "renderer/core/error.h"
+#include "renderer/core/file.h"
 #include "renderer/sequence/manifest.h"
 #include "renderer/sequence/sequence_reader.h"
 #include "tests/support/expect_error.h"
@@ -78,6 +79,122 @@ TEST(RenderSequence, ShardsShareTheWorkWithoutOverlap) {
     num_records += summary.num_records;
   }
   EXPECT_EQ(num_records, 3 * 2 * 2);
+}
+
+/// A beam beside the street, away from the sun, before a camera that has every fault.
+SequenceInput RealisticRoom() {
+  SequenceInput input = Room();
+  input.scene = BoxScene(Vec3f(-10, -6, 5), Vec3f(50, -2, 6));
+  SequenceSpec& spec = input.spec;
+  spec.trajectory.drive.stop_s = 0.0;
+  spec.shutter = {.exposure_s = 0.2, .ramp = 0.2, .readout_s = 0.1};
+  spec.optics.lateral_color.rim_px = 1.0;
+  spec.optics.blur = {0.5, {1.0, 0.7}};
+  spec.optics.vignetting.natural = 0.3;
+  spec.optics.rim.width_px = 2.0;
+  spec.optics.glare = {.bloom = 0.02, .bloom_radius_px = 3.0, .veil = 0.01};
+  spec.optics.sun_star = {.strength = 0.01, .length_px = 4.0, .width_px = 0.7};
+  spec.optics.ghosts = {
+      {"one", {.position = -0.5, .radius_px = 3.0, .strength = {1e-4, 1e-4, 2e-4}}}};
+  spec.sensor.white_electrons = 3000.0;
+  return input;
+}
+
+const std::vector<Output> kAllButJpeg = {Output::kRealistic,
+                                         Output::kClean,
+                                         Output::kLinear,
+                                         Output::kDistance,
+                                         Output::kSky,
+                                         Output::kBlur,
+                                         Output::kFlare};
+
+TEST(RenderSequence, RealisticFramesAreMadeWhereTheCameraHasFaults) {
+  const TempFolder folder;
+  RenderOptions options{.folder = folder / "s", .frames = {1}, .cameras = {"front"}, .quiet = true};
+  RenderSequence(RealisticRoom(), options);
+  for (const char* file : {"a/front/realistic/000001.png", "b/front/realistic/000001.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / "s" / file)) << file;
+  }
+  options.folder = folder / "jpeg";
+  SequenceInput input = RealisticRoom();
+  input.spec.sensor.jpeg_quality = 80;
+  RenderSequence(input, options);
+  const std::string jpeg = ReadFile(folder / "jpeg/a/front/realistic/000001.jpg");
+  EXPECT_EQ(jpeg.substr(0, 2), "\xff\xd8");
+  EXPECT_FALSE(std::filesystem::exists(folder / "jpeg/a/front/realistic/000001.png"));
+}
+
+TEST(RenderSequence, RealisticFramesHaveTheSameBytesForThreadsAndShards) {
+  const TempFolder folder;
+  RenderOptions options{.folder = folder / "one",
+                        .frames = {0, 2},
+                        .cameras = {"rear"},
+                        .outputs = kAllButJpeg,
+                        .quiet = true};
+  RenderSequence(RealisticRoom(), options);
+  options.folder = folder / "shards";
+  options.on_existing = OnExisting::kResume;
+  options.num_threads = 3;
+  options.num_shards = 2;
+  for (const int shard_idx : {1, 0}) {
+    options.shard_idx = shard_idx;
+    RenderSequence(RealisticRoom(), options);
+  }
+  EXPECT_EQ(ReadFile(folder / "one/manifest.json"), ReadFile(folder / "shards/manifest.json"));
+  // And when the clean frame, with which they may share samples, is there already.
+  for (const std::string lens : {"a", "b"}) {
+    for (const std::string frame : {"000000.png", "000002.png"}) {
+      std::filesystem::remove(folder / "one" / lens / "rear/realistic" / frame);
+    }
+  }
+  options.folder = folder / "one";
+  options.num_shards = 1;
+  options.shard_idx = 0;
+  RenderSequence(RealisticRoom(), options);
+  EXPECT_EQ(ReadFile(folder / "one/manifest.json"), ReadFile(folder / "shards/manifest.json"));
+}
+
+TEST(RenderSequence, TheCamerasFaultsLeaveCleanFramesAndGroundTruthAlone) {
+  const TempFolder folder;
+  RenderOptions options{.folder = folder / "on",
+                        .frames = {1},
+                        .cameras = {"front"},
+                        .lenses = {"b"},
+                        .outputs = kAllButJpeg,
+                        .quiet = true};
+  RenderSequence(RealisticRoom(), options);
+  SequenceInput without = RealisticRoom();
+  without.spec.shutter = {};
+  without.spec.optics = {};
+  without.spec.sensor.white_electrons = 0.0;
+  options.folder = folder / "off";
+  RenderSequence(without, options);
+  const auto same = [&](const std::string& file) {
+    return ReadFile(folder / "on/b/front" / file) == ReadFile(folder / "off/b/front" / file);
+  };
+  EXPECT_TRUE(same("clean/000001.png"));
+  EXPECT_TRUE(same("linear/000001.exr"));
+  EXPECT_TRUE(same("distance/000001.exr"));
+  EXPECT_TRUE(same("sky/000001.png"));
+  EXPECT_FALSE(same("realistic/000001.png"));
+  EXPECT_FALSE(same("blur/000001.exr"));
+  EXPECT_FALSE(same("flare/000001.exr"));
+  // With every effect off, realistic is clean to the last bit.
+  EXPECT_EQ(ReadFile(folder / "off/b/front/realistic/000001.png"),
+            ReadFile(folder / "off/b/front/clean/000001.png"));
+}
+
+TEST(MakeRigFile, HasTheImageHeightsOfTheChannels) {
+  SequenceInput input = RealisticRoom();
+  const RigFile rig = MakeRigFile(input.spec);
+  ASSERT_EQ(rig.channel_polynomials.size(), 2U);
+  // Red falls outside green and blue inside, half of it linear: c1 = c3 R^2, R = 12 px.
+  const auto& [red, green, blue] = rig.channel_polynomials[0];
+  EXPECT_GT(red[0], green[0]);
+  EXPECT_GT(green[0], blue[0]);
+  EXPECT_NEAR(red[1] * 144.0, red[0], 1e-9);
+  EXPECT_THAT(rig.ToYaml(), HasSubstr("    lateral_color:\n      red: ["));
+  EXPECT_TRUE(MakeRigFile(Room().spec).channel_polynomials.empty());
 }
 
 TEST(RenderSequence, RefusesWhatTheSequenceDoesNotHave) {

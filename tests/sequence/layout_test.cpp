@@ -20,6 +20,10 @@ TEST(FrameFile, PathsAreThoseOfTheDocumentedLayout) {
   EXPECT_EQ(path(Output::kLinear), "equisolid/front/linear/000024.exr");
   EXPECT_EQ(path(Output::kDistance), "equisolid/front/distance/000024.exr");
   EXPECT_EQ(path(Output::kSky), "equisolid/front/sky/000024.png");
+  EXPECT_EQ(path(Output::kRealistic), "equisolid/front/realistic/000024.png");
+  EXPECT_EQ(path(Output::kRealisticJpeg), "equisolid/front/realistic/000024.jpg");
+  EXPECT_EQ(path(Output::kBlur), "equisolid/front/blur/000024.exr");
+  EXPECT_EQ(path(Output::kFlare), "equisolid/front/flare/000024.exr");
 }
 
 TEST(FrameFile, PathsReadBackForSmallAndLargeNumbers) {
@@ -30,6 +34,7 @@ TEST(FrameFile, PathsReadBackForSmallAndLargeNumbers) {
       ASSERT_TRUE(read.has_value());
       EXPECT_EQ(read->RelativePath(), file.RelativePath());
       EXPECT_EQ(read->frame, frame);
+      EXPECT_EQ(read->output, output);
     }
   }
 }
@@ -50,7 +55,8 @@ TEST(FrameFile, OtherPathsAreNotFrameFiles) {
 TEST(OutputFromName, RefusesUnknownNamesAndListsTheKnown) {
   EXPECT_EQ(OutputFromName("sky"), Output::kSky);
   EXPECT_THAT(MessageOf<InputError>([] { OutputFromName("depth"); }),
-              testing::HasSubstr("expected clean, linear, distance or sky, got 'depth'"));
+              testing::HasSubstr("expected realistic, clean, linear, distance, sky, blur or "
+                                 "flare, got 'depth'"));
 }
 
 TEST(SequenceFiles, FindsDescriptionAndFramesButNotTheRest) {

@@ -87,7 +87,25 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
       "        map_rotation_deg: 35, strength: 28}\n"
       "render: {light: path, light_quality: 3.5, seed: 29, samples: 30, max_samples: 36, "
       "max_bounces: 31, min_indirect_roughness: 0.37}\n"
-      "sensor: {exposure: 32, tone_curve: clip}\n"
+      "shutter: {exposure_s: 0.38, ramp: 0.39, offset_s: -0.4, readout_s: 0.41, readout: left}\n"
+      "optics:\n"
+      "  image_width_px: 1000\n"
+      "  lateral_color: {rim_px: -4.2, cubic: 0.43}\n"
+      "  axial_color_sigma_px: 4.4\n"
+      "  dispersion_sigma_px: 4.5\n"
+      "  blur: {center_sigma_px: 4.6, rim_sigma_px: [4.7, 4.8]}\n"
+      "  defocus_px: 4.9\n"
+      "  vignetting: {natural: 0.50, mechanical: 0.51, mechanical_start: 0.52}\n"
+      "  rim: {width_px: 53, reach: [0.54, 0.55, 0.56]}\n"
+      "  glare: {bloom: 0.057, bloom_radius_px: 58, veil: 0.059}\n"
+      "  aperture_blades: 9\n"
+      "  aperture_rotation_deg: 60\n"
+      "  sun_star: {strength: 0.061, length_px: 62, width_px: 6.3}\n"
+      "  ghosts:\n"
+      "    one: {position: 0.64, radius_px: 65, strength: [0.066, 0.067, 0.068], hollow: 0.69}\n"
+      "    two: {}\n"
+      "sensor: {exposure: 32, tone_curve: clip, encoding: linear, white_electrons: 7000, "
+      "read_noise_electrons: 7.1, mosaic: gbrg, color: grey, bits: 8, jpeg_quality: 72}\n"
       "ground_truth: {max_distance_m: 33}\n");
   SequenceSpec expected;
   expected.name = "every key";
@@ -130,7 +148,21 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
                      .max_samples = 36,
                      .max_bounces = 31,
                      .min_indirect_roughness = 0.37};
-  expected.sensor = {32.0, "clip"};
+  expected.shutter = {0.38, 0.39, -0.4, 0.41, "left"};
+  expected.optics = {.image_width_px = 1000,
+                     .lateral_color = {-4.2, 0.43},
+                     .axial_color_sigma_px = 4.4,
+                     .dispersion_sigma_px = 4.5,
+                     .blur = {4.6, {4.7, 4.8}},
+                     .defocus_px = 4.9,
+                     .vignetting = {0.50, 0.51, 0.52},
+                     .rim = {53.0, {0.54, 0.55, 0.56}},
+                     .glare = {0.057, 58.0, 0.059},
+                     .aperture_blades = 9,
+                     .aperture_rotation_deg = 60.0,
+                     .sun_star = {0.061, 62.0, 6.3},
+                     .ghosts = {{"one", {0.64, 65.0, {0.066, 0.067, 0.068}, 0.69}}, {"two", {}}}};
+  expected.sensor = {32.0, "clip", "linear", 7000.0, 7.1, "gbrg", "grey", 8, 72};
   expected.ground_truth = {33.0};
   EXPECT_EQ(spec, expected);
   // The canonical form of a description that sets every key gives it back.
@@ -198,8 +230,9 @@ TEST_F(SequenceSchema, OverridesReachEachKeyOfTheHelp) {
       continue;
     }
     std::string key = help.substr(start, help.find(':', start) - start);
-    for (const auto& [mapping, name] :
-         {std::pair{"lenses.", "fish"}, std::pair{"rig.cameras.", "front"}}) {
+    for (const auto& [mapping, name] : {std::pair{"lenses.", "fish"},
+                                        std::pair{"rig.cameras.", "front"},
+                                        std::pair{"optics.ghosts.", "one"}}) {
       if (key.find(mapping) == 0) {
         key.replace(key.find("NAME"), 4, name);
       }
@@ -445,12 +478,74 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   EXPECT_EQ(spec.render, RenderSpec{});
   EXPECT_EQ(spec.sensor, SensorSpec{});
   EXPECT_EQ(spec.ground_truth, GroundTruthSpec{});
+  EXPECT_TRUE(spec.IsRealistic());
+}
+
+TEST_F(SequenceSchema, OpticsAndLensesMayBeFilesOfTheirOwn) {
+  WriteFileAtomically(folder_ / "my.yaml", std::string_view("blur: {center_sigma_px: 1.5}\n"));
+  WriteFileAtomically(folder_ / "lens.yaml", std::string_view("circle_px: 77\n"));
+  const std::string text = std::string(kSmall) + "optics: my.yaml\n";
+  EXPECT_EQ(Read(text).optics.blur.center_sigma_px, 1.5);
+  // Its keys may be changed one by one, and all of it at once.
+  const SequenceSpec changed = Read(text, {"optics.defocus_px=3"});
+  EXPECT_EQ(changed.optics.blur.center_sigma_px, 1.5);
+  EXPECT_EQ(changed.optics.defocus_px, 3.0);
+  const std::string strong = (kData / "optics" / "strong.yaml").string();
+  const SequenceSpec other =
+      Read(text, {"optics=" + strong, "lenses.fish=" + (folder_ / "lens.yaml").string()});
+  EXPECT_EQ(other.optics.blur.center_sigma_px, 0.8);
+  EXPECT_EQ(other.lenses[0].value.circle_px, 77.0);
+  // The description written with the frames needs no other file.
+  EXPECT_EQ(Read(CanonicalYaml(other)), other);
+  EXPECT_NE(ErrorOf(text, {"optics=nowhere.yaml"}).find("nowhere.yaml"), std::string::npos);
+  WriteFileAtomically(folder_ / "my.yaml", std::string_view("blur: {centre_px: 1}\n"));
+  EXPECT_EQ(ErrorOf(text).find("my.yaml:1: optics.blur.centre_px: "), 0U) << ErrorOf(text);
+}
+
+TEST_F(SequenceSchema, EachShippedOpticsTurnsOnItsOwnEffect) {
+  const auto read = [&](const std::string& name) {
+    return Read(kSmall, {"optics=" + (kData / "optics" / (name + ".yaml")).string()}).optics;
+  };
+  EXPECT_FALSE(read("off").IsOn());
+  for (const std::string name : {"lateral_color", "axial_color", "dispersion", "blur", "defocus"}) {
+    const OpticsSpec optics = read(name);
+    EXPECT_TRUE(optics.HasPointSpread()) << name;
+    EXPECT_FALSE(optics.HasFalloff() || optics.HasGlare() || optics.HasFlare()) << name;
+  }
+  for (const std::string name : {"vignetting", "rim", "glare", "sun_star", "ghosts"}) {
+    const OpticsSpec optics = read(name);
+    EXPECT_EQ(optics.HasFalloff() + optics.HasGlare() + optics.HasFlare(), 1) << name;
+    EXPECT_FALSE(optics.HasPointSpread()) << name;
+  }
+  for (const std::string name : {"pfseq", "strong"}) {
+    const OpticsSpec optics = read(name);
+    EXPECT_TRUE(optics.HasPointSpread() && optics.HasFalloff() && optics.HasGlare() &&
+                optics.HasFlare())
+        << name;
+  }
+}
+
+TEST_F(SequenceSchema, RefusesCamerasThatCannotBe) {
+  EXPECT_EQ(ErrorOf(kSmall, {"sensor.bits=12"}), "--set sensor.bits=12: expected 8 or 16, got 12");
+  EXPECT_NE(ErrorOf(kSmall, {"sensor.bits=16", "sensor.jpeg_quality=90"}).find("JPEG has 8"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf(kSmall, {"sensor.read_noise_electrons=2"}).find("without white_electrons"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf(kSmall, {"optics.aperture_blades=0", "optics.sun_star.strength=0.1"})
+                .find("expected at least 2 for a sun star, got 0"),
+            std::string::npos);
+  EXPECT_EQ(ErrorOf(kSmall, {"shutter.readout=sideways"})
+                .find("--set shutter.readout=sideways: expected "),
+            0U);
 }
 
 TEST_F(SequenceSchema, ReadsLensFiles) {
   const SequenceSpec spec = ReadSequenceSpec(kData / "sequences" / "pfseq.yaml");
   EXPECT_EQ(ReadLensSpec(kData / "lenses" / "pfseq-equidistant.yaml"), spec.lenses[0].value);
   EXPECT_EQ(ReadLensSpec(kData / "lenses" / "pfseq-equisolid.yaml"), spec.lenses[1].value);
+  for (const std::string name : {"tum-vi-fisheye.yaml", "realsense-t265.yaml"}) {
+    EXPECT_EQ(ReadLensSpec(kData / "lenses" / name).model, "kannala_brandt") << name;
+  }
   WriteFileAtomically(path_, std::string_view("model: equisolid\nfov_deg: 0\ncircle_px: 10\n"));
   EXPECT_EQ(MessageOf<InputError>([&] { ReadLensSpec(path_); }),
             path_.string() + ":2: fov_deg: expected a number > 0 and <= 360, got 0");

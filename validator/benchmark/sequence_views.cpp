@@ -16,6 +16,8 @@ namespace {
 
 /// In order of preference.
 constexpr const char* kVariants[] = {"realistic", "clean"};
+/// Of pictures, likewise.
+constexpr const char* kExtensions[] = {".png", ".jpg"};
 
 }  // namespace
 
@@ -66,7 +68,9 @@ std::vector<int> SequenceViews::Frames(const std::string& lens,
   if (std::filesystem::is_directory(folder)) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       const auto frame = ParseNumber<int>(entry.path().stem().string());
-      if (entry.path().extension() == ".png" && frame && *frame >= 0) {
+      if (std::find(std::begin(kExtensions), std::end(kExtensions), entry.path().extension()) !=
+              std::end(kExtensions) &&
+          frame && *frame >= 0) {
         frames.push_back(*frame);
       }
     }
@@ -78,9 +82,13 @@ std::vector<int> SequenceViews::Frames(const std::string& lens,
 Image<uint8_t> SequenceViews::ReadImage(const std::string& lens,
                                         const ViewName& view,
                                         const std::string& variant) const {
-  const std::filesystem::path path =
-      ImageFolder(lens, view.camera, variant) / fmt::format("{:06}.png", view.frame);
-  Image<uint8_t> image = ReadImage8(path);
+  std::filesystem::path path =
+      ImageFolder(lens, view.camera, variant) / fmt::format("{:06}{}", view.frame, kExtensions[0]);
+  const std::filesystem::path other = std::filesystem::path(path).replace_extension(kExtensions[1]);
+  if (!std::filesystem::exists(path) && std::filesystem::exists(other)) {
+    path = other;
+  }
+  Image<uint8_t> image = ReadPicture8(path);
   if (image.WidthPx() != reader_.WidthPx() || image.HeightPx() != reader_.HeightPx() ||
       image.NumChannels() == 2) {
     throw InputError("{}: expected {} x {} px with 1, 3 or 4 channels, got {} x {} px with {}",

@@ -53,7 +53,10 @@ struct ExpectedImage {
 ExpectedImage Expected(Output output) {
   switch (output) {
     case Output::kLinear:
+    case Output::kFlare:
       return {3, OIIO::TypeDesc::HALF, "R"};
+    case Output::kBlur:
+      return {2, OIIO::TypeDesc::FLOAT, "X"};
     case Output::kDistance:
       return {1, OIIO::TypeDesc::FLOAT, "Y"};
     case Output::kSky:
@@ -82,7 +85,11 @@ class ViewCheck {
           sky = Read<uint8_t>(output);
           break;
         case Output::kLinear:
-          CheckRadiance(Read<float>(output));
+        case Output::kFlare:
+          CheckRadiance(output, Read<float>(output));
+          break;
+        case Output::kBlur:
+          Read<float>(output);
           break;
         default:
           Read<uint8_t>(output);
@@ -110,7 +117,7 @@ class ViewCheck {
       if constexpr (std::is_same_v<T, float>) {
         image = ReadExr(path);
       } else {
-        image = ReadImage8(path);
+        image = ReadPicture8(path);
       }
       const std::string fault = FaultOfHeader(path, Expected(output));
       if (!fault.empty()) {
@@ -137,7 +144,14 @@ class ViewCheck {
       return fmt::format(
           "{} x {} px, {} x {} in {}", spec.width, spec.height, width_px, height_px, kRigFile);
     }
-    if (spec.nchannels != expected.num_channels || spec.format != expected.type) {
+    // A realistic picture may be grey and of 16 bits, as its sensor has it.
+    const bool is_realistic =
+        path.parent_path().filename() == std::string(OutputName(Output::kRealistic));
+    const bool is_other_sensor =
+        is_realistic && (spec.nchannels == 1 || spec.nchannels == 3) &&
+        (spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::UINT16);
+    if ((spec.nchannels != expected.num_channels || spec.format != expected.type) &&
+        !is_other_sensor) {
       return fmt::format("expected {} channel(s) of {}, got {} of {}",
                          expected.num_channels,
                          expected.type.c_str(),
@@ -152,7 +166,7 @@ class ViewCheck {
     return "";
   }
 
-  void CheckRadiance(const std::optional<Image<float>>& radiance) {
+  void CheckRadiance(Output output, const std::optional<Image<float>>& radiance) {
     PixelFault bad("negative or not finite");
     if (!radiance) {
       return;
@@ -166,7 +180,7 @@ class ViewCheck {
         }
       }
     });
-    bad.Report(view_.File(Output::kLinear), report_);
+    bad.Report(view_.File(output), report_);
   }
 
   void CheckDistances(const Image<float>& distance_m) {
