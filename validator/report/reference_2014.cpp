@@ -24,9 +24,12 @@ Reference2014::Reference2014() {
     const auto tolerance = std::find(
         kTolerancesM.begin(), kTolerancesM.end(), ParseNumber<double>(columns[3]).value_or(0.0));
     PFSEQ_CHECK(tolerance != kTolerancesM.end(), "a tolerance of the 2014 tables: {}", line);
-    curves_[{columns[1], columns[0], columns[2]}]
-           [static_cast<size_t>(tolerance - kTolerancesM.begin())] =
-               ParseNumber<double>(columns[4]);
+    const std::optional<double> value = ParseNumber<double>(columns[4]);
+    // The report has -1 where a setting found nothing to count.
+    if (value && *value >= 0.0) {
+      curves_[{columns[1], columns[0], columns[2]}]
+             [static_cast<size_t>(tolerance - kTolerancesM.begin())] = value;
+    }
   }
 }
 

@@ -151,18 +151,21 @@ std::string CsvText(const ReportTable& table) {
 }
 
 std::string TexText(const ReportTable& table, const std::string& origin) {
+  constexpr const char* kHead = R"tex(% Made by: {}
+% Needs the packages booktabs and graphicx.
+\begin{{table*}}
+\centering
+\caption{{{}. Bold values are the best at a distance tolerance, underlined are second best.}}
+\label{{tab:{}}}
+\small
+\setlength{{\tabcolsep}}{{4pt}}
+% As wide as it is, but not wider than the page.
+\resizebox{{\ifdim\width>\textwidth\textwidth\else\width\fi}}{{!}}{{%
+\begin{{tabular}}{{r*{{{}}}{{r}}}}
+\toprule
+\rotatebox{{90}}{{Distance tolerance (m)}})tex";
   std::string text = fmt::format(
-      "% Made by: {}\n% Needs the packages booktabs and graphicx.\n"
-      "\\begin{{table*}}\n\\centering\n"
-      "\\caption{{{}. Bold values are the best at a distance tolerance, underlined are second "
-      "best.}}\n"
-      "\\label{{tab:{}}}\n\\small\n\\setlength{{\\tabcolsep}}{{4pt}}\n\\begin{{tabular}}{{r*{{{}}}{"
-      "{r}}}}\n\\toprule\n"
-      "\\rotatebox{{90}}{{Distance tolerance (m)}}",
-      origin,
-      TexEscaped(table.caption),
-      table.name,
-      table.settings.size());
+      fmt::runtime(kHead), origin, TexEscaped(table.caption), table.name, table.settings.size());
   for (const std::string& setting : table.settings) {
     text += fmt::format(" &\n\\rotatebox{{90}}{{{}}}", TexEscaped(setting));
   }
@@ -171,14 +174,13 @@ std::string TexText(const ReportTable& table, const std::string& origin) {
     fmt::format_to(std::back_inserter(text), "{:g}", table.tolerances_m[t]);
     for (size_t i = 0; i < table.cells[t].size(); ++i) {
       const std::string& cell = table.cells[t][i];
-      const char* form = table.best[t] == i     ? " & \\textbf{{{}}}"
-                         : table.second[t] == i ? " & \\underline{{{}}}"
-                                                : " & {}";
-      text += fmt::format(fmt::runtime(form), cell);
+      text += table.best[t] == i     ? fmt::format(" & \\textbf{{{}}}", cell)
+              : table.second[t] == i ? fmt::format(" & \\underline{{{}}}", cell)
+                                     : " & " + cell;
     }
     text += " \\\\\n";
   }
-  return text + "\\bottomrule\n\\end{tabular}\n\\end{table*}\n";
+  return text + "\\bottomrule\n\\end{tabular}}\n\\end{table*}\n";
 }
 
 std::string TexDocument(const std::vector<ReportTable>& tables) {

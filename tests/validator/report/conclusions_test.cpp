@@ -111,6 +111,8 @@ TEST(Conclusions, TheirFiguresAreThoseOfTheReport) {
   EXPECT_EQ(reference.Find({"matching_score", "24", kFreak}, 0.15), 0.47);
   EXPECT_EQ(reference.Find({"matches", "0", "SIFT nopol 0.02 20.0 1.0"}, 0.01), 3559);
   EXPECT_EQ(reference.Find({"matches", "0", "SIFT nopol 0.02 20.0 9.0"}, 0.01), std::nullopt);
+  // -1 in the report.
+  EXPECT_EQ(reference.Find({"repeatability", "24", "CenSurE nopol 16 10 7"}, 0.04), std::nullopt);
 }
 
 TEST(Verdict, GoesToTheHighestMeanOfThoseWithEnoughMatches) {

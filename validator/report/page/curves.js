@@ -84,7 +84,7 @@ function drawCurves() {
         const interval = state.pair === MEAN || Number.isNaN(low) ? "" : ` (${formatValue(metric(), low)} to ${formatValue(metric(), high)})`;
         const past = value2014(metric(), item.seriesName, state.pair, place);
         return `${item.marker}${escaped(item.seriesName)}: <b>${formatValue(metric(), item.value[1])}</b>${interval}` +
-          (past === null ? "" : `; 2014: ${formatValue(metric(), past)}`);
+          (past === null ? "" : `; 2014: ${format2014(metric(), past)}`);
       });
     return `within ${tolerances[place].label}<br>${rows.join("<br>")}`;
   }

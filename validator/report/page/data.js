@@ -65,6 +65,8 @@ function value2014(metric, setting, pair, tolerance) {
 
 function metricTitle(metric) { return METRICS[metric] ?? metric.replaceAll("_", " "); }
 function isCount(metric) { return COUNTS.test(metric); }
+// The report of 2014 gives shares with two decimals.
+function format2014(metric, value) { return value === null || isCount(metric) ? formatValue(metric, value) : value.toFixed(2); }
 function formatValue(metric, value) {
   if (value === null || Number.isNaN(value)) return "–";
   if (isCount(metric)) return Math.round(value).toLocaleString("en");

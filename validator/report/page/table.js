@@ -71,7 +71,7 @@ function drawTable() {
           const rank = marked.get(metric).indexOf(i);
           return h("td", { class: `number${rank === 0 ? " best" : rank === 1 ? " second" : ""}` }, formatValue(metric, value(metric, i)));
         }),
-        has2014 ? h("td", { class: "number" }, formatValue(share, value2014(share, group().settings[i].name, state.pair, state.tolerance))) : null)))));
+        has2014 ? h("td", { class: "number" }, format2014(share, value2014(share, group().settings[i].name, state.pair, state.tolerance))) : null)))));
     count.textContent = `${Math.min(state.limit, chosen.length)} of ${chosen.length} shown, ${group().settings.length} in all. ` +
       `Bold is best, underlined second best of all with at least ${report.enough_matches} matches.`;
     more.hidden = chosen.length <= state.limit;

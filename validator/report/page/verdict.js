@@ -92,7 +92,7 @@ function drawSideBySide(target) {
         h("tr", null, pairs.map(() => [h("th", { class: "number", scope: "col" }, "here"), h("th", { class: "number", scope: "col" }, "2014")]))),
       h("tbody", null, settings.map((name) => h("tr", null, h("td", { class: "name" }, name), pairs.map((i) => [
         h("td", { class: "number" }, formatValue(metric, group.value(metric, group.index.get(name), i, verdictTolerance))),
-        h("td", { class: "number" }, formatValue(metric, value2014(metric, name, i, verdictTolerance)))])))))));
+        h("td", { class: "number" }, format2014(metric, value2014(metric, name, i, verdictTolerance)))])))))));
   }
   target.append(note("The 2014 figures are from the report's tables (arXiv 2602.05487), measured on PFSeq itself with its motion blur; " +
     "the images here are others. Curves below can show theirs dashed."));
