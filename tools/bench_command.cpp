@@ -7,6 +7,7 @@
 #include "validator/benchmark/results_writer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
@@ -22,7 +23,7 @@ DIR is a sequence's folder, or the description (.yaml) of a dataset from elsewhe
 triplet is measured: SIFT nopol 0.04 5.0 1.6 SIFT BruteForce.
 
 Writes results.csv and results.json (each metric of each setting and pair at twelve distances and the grid's angles), and
-times.csv. Finished stages are kept in RESULTS/stages: --resume goes on with them after an interruption, or judges them
+times.csv and run.json (how long it took). Finished stages are kept in RESULTS/stages: --resume goes on with them after an interruption, or judges them
 anew. With --shard I/N several programs share the work of one RESULTS folder; a last run with --resume writes the results.
 
 Examples:
@@ -107,6 +108,7 @@ void RunBench(BenchFlags& flags) {
   if (flags.has_pictures) {
     options.pictures = flags.out / "pictures";
   }
+  const auto start = std::chrono::steady_clock::now();
   const std::unique_ptr<ViewSource> source = OpenViews(flags.folder);
   const BenchmarkResults results = RunBenchmark(*source, grid, options);
   if (options.num_shards > 1) {
@@ -114,6 +116,8 @@ void RunBench(BenchFlags& flags) {
     return;
   }
   WriteResults(results, flags.out);
+  const std::chrono::duration<double> wall_s = std::chrono::steady_clock::now() - start;
+  WriteRun({CommandLine(), flags.folder, wall_s.count()}, flags.out);
   fmt::print("{}results in {}\n", BenchmarkTable(results, kMaxTableLines), flags.out.string());
 }
 

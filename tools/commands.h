@@ -16,6 +16,8 @@ void AddCheckCommand(CLI::App& app, int& exit_status);
 void AddSceneCommand(CLI::App& app);
 void AddLensCommand(CLI::App& app);
 void AddBenchCommand(CLI::App& app);
+void AddReportCommand(CLI::App& app);
+void AddViewCommand(CLI::App& app);
 void AddKeysCommand(CLI::App& app);
 
 }  // namespace pfseq

@@ -12,6 +12,8 @@
 #include "scenes/gltf/gltf_writer.h"
 
 #include <charconv>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -57,6 +59,22 @@ Lighting SettleLight(SequenceSpec& spec, Scene& scene) {
 }
 
 }  // namespace
+
+std::string CommandLine() {
+  // Words end with zero bytes (proc(5)).
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::string text;
+  for (std::string word; std::getline(file, word, '\0');) {
+    if (text.empty()) {
+      text = std::filesystem::path(word).filename().string();
+      continue;
+    }
+    const bool is_plain =
+        !word.empty() && word.find_first_of(" \t\n\"'\\$&;|<>()*?#") == std::string::npos;
+    text += is_plain ? " " + word : fmt::format(" '{}'", word);
+  }
+  return text;
+}
 
 void AddRunFlags(CLI::App& command, RunFlags& flags) {
   flags.num_threads = NumHardwareThreads();

@@ -19,6 +19,9 @@ struct RunFlags {
 };
 void AddRunFlags(CLI::App& command, RunFlags& flags);
 
+/// The words that this program was started with, as one would type them; the program by its name.
+std::string CommandLine();
+
 /// A selection of frames, cameras and lenses; nothing given means all.
 struct SelectionFlags {
   std::string frames;

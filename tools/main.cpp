@@ -17,6 +17,8 @@ Examples:
   pfseq render data/sequences/pfseq.yaml --out out/pfseq --frames 0,24,40
   pfseq check out/pfseq
   pfseq bench out/pfseq --out out/pfseq_bench
+  pfseq report out/pfseq_bench --out out/report
+  pfseq view out/pfseq
   pfseq keys                      what can be set in a SEQUENCE.yaml and with --set
   pfseq COMMAND --help            flags and examples of one command
 
@@ -35,6 +37,8 @@ int Run(int argc, char** argv) {
   pfseq::AddSceneCommand(app);
   pfseq::AddLensCommand(app);
   pfseq::AddBenchCommand(app);
+  pfseq::AddReportCommand(app);
+  pfseq::AddViewCommand(app);
   pfseq::AddKeysCommand(app);
   try {
     app.parse(argc, argv);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# From a bare clone to pictures: installs what is missing, builds, renders frames 0, 24 and 40 of the default sequence
-# with all cameras and lenses, checks them, and measures SIFT on them.
+# From a bare clone to a report: installs what is missing, builds, renders frames 0, 24 and 40 of the default sequence
+# with all cameras and lenses, checks them, measures the settings that the report of 2014 shows on them, and writes a
+# page about the results.
 # Usage: tools/quickstart.sh [OUT]      OUT: folder for the results (default: out/quickstart)
 # PFSEQ_RENDER_FLAGS holds more flags for the rendering, for example "--set image.size_px=300 --set render.samples=8".
 set -euo pipefail
@@ -22,16 +23,22 @@ echo "== check"
 "$pfseq" check "$out/sequence"
 checked=$SECONDS
 
-echo "== benchmark"
-"$pfseq" bench "$out/sequence" --out "$out/bench" --pictures
+echo "== benchmark: data/grids/highlights.yaml on the equisolid lens"
+"$pfseq" bench "$out/sequence" --grid "$root/data/grids/highlights.yaml" --lens equisolid --pairs 0,24,40 --out "$out/bench"
+measured=$SECONDS
+
+echo "== report"
+"$pfseq" report "$out/bench" --out "$out/report"
 
 cat <<TEXT
 
-Done: set-up and build $((built - started)) s, rendering $((rendered - built)) s, check $((checked - rendered)) s, benchmark $((SECONDS - checked)) s.
+Done: set-up and build $((built - started)) s, rendering $((rendered - built)) s, check $((checked - rendered)) s, benchmark $((measured - checked)) s, report $((SECONDS - measured)) s.
   pictures         $out/sequence/equisolid/front/clean/000000.png and beside it (see README.md, "What is in the folder")
   distance maps    $out/sequence/equisolid/front/distance/000000.exr (metres, float32)
-  matches          $out/bench/pictures, measures in $out/bench/results.csv
+  measures         $out/bench/results.csv
+  report           $out/report/report.html
 Next:
+  $pfseq view $out/sequence                                                    leaf through the frames
   $pfseq render data/sequences/pfseq.yaml --out out/pfseq                      all 64 frames
   $pfseq render data/sequences/pfseq.yaml --out out/seed7 --set scene.canyon.seed=7 --frames 0
   $pfseq keys                                                                  what else can be set

@@ -12,7 +12,9 @@ build_tests=ON
 packages=(g++ cmake ninja-build pkg-config
   libeigen3-dev libfmt-dev libtbb-dev libyaml-cpp-dev nlohmann-json3-dev libssl-dev libcli11-dev libnanoflann-dev zlib1g-dev
   libembree-dev libopenimageio-dev openimageio-tools libopenexr-dev libtinygltf-dev libopencv-dev
-  libgtest-dev libgmock-dev)
+  libcpp-httplib-dev gnuplot-nox libgtest-dev libgmock-dev)
+# The pages are tested by clicks.
+[ "$build_tests" = ON ] && packages+=(chromium chromium-driver python3-selenium)
 
 is_installed() { dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed'; }
 

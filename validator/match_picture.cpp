@@ -21,8 +21,9 @@ constexpr size_t kMaxLines = 200;
 // Sub-pixel drawing of OpenCV: coordinates in 1/16 pixel.
 constexpr int kShift = 4;
 
+/// Okabe and Ito's sky blue and vermilion (2008): everybody can tell them apart.
 cv::Scalar ColorOf(bool is_correct) {
-  return is_correct ? cv::Scalar(60, 220, 60) : cv::Scalar(230, 50, 50);
+  return is_correct ? cv::Scalar(86, 180, 233) : cv::Scalar(213, 94, 0);
 }
 
 bool IsCorrect(const JudgedMatch& match) { return match.distance_m < kPictureToleranceM; }
@@ -78,7 +79,7 @@ Image<uint8_t> MatchPicture(const Image<uint8_t>& first_view,
     }
   }
   const std::string caption =
-      fmt::format("{}: {} of {} attempted matches within {:g} m (green){}",
+      fmt::format("{}: {} of {} attempted matches within {:g} m (blue){}",
                   title,
                   num_correct,
                   matches.size(),

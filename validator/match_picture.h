@@ -23,8 +23,8 @@ struct JudgedMatch {
 inline constexpr double kPictureToleranceM = 0.10;
 
 /// Both views (1, 3 or 4 channels) side by side at reduced size, a dot at each end of every
-/// attempted match and lines for some 200 of them, evenly chosen: green where the match is correct,
-/// red where not. A caption below tells the counts.
+/// attempted match and lines for some 200 of them, evenly chosen: blue where the match is correct,
+/// orange where not. A caption below tells the counts.
 Image<uint8_t> MatchPicture(const Image<uint8_t>& first,
                             const Image<uint8_t>& second,
                             const std::vector<JudgedMatch>& matches,

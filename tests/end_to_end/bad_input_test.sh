@@ -30,6 +30,9 @@ printf 'detectors:\n  - algorithm: SIFT\n    sigm: 1.6\n' >grid.yaml
 expect_failure 2 "grid.yaml:3" "$pfseq" bench --grid grid.yaml --list
 expect_failure 2 "expected pol or nopol" "$pfseq" bench --setting "SIFT 0.04" --list
 expect_failure 2 "--shard 2/2" "$pfseq" bench nothing --out results --shard 2/2
+expect_failure 2 "nothing/results.json" "$pfseq" report nothing --out results
+expect_failure 2 "--out" "$pfseq" report nothing
+expect_failure 2 "nothing/rig.yaml" "$pfseq" view nothing --port 0
 [ ! -e results ] || fail "a refused benchmark left a folder behind"
 [ ! -e out ] || fail "a refused run left a folder behind"
 

@@ -8,12 +8,12 @@
 namespace pfseq {
 namespace {
 
-bool IsGreen(const Image<uint8_t>& picture, int x, int y) {
-  return picture.At(x, y, 1) > 150 && picture.At(x, y, 0) < 120;
+bool IsBlue(const Image<uint8_t>& picture, int x, int y) {
+  return picture.At(x, y, 2) > 150 && picture.At(x, y, 0) < 120;
 }
 
-bool IsRed(const Image<uint8_t>& picture, int x, int y) {
-  return picture.At(x, y, 0) > 150 && picture.At(x, y, 1) < 120;
+bool IsOrange(const Image<uint8_t>& picture, int x, int y) {
+  return picture.At(x, y, 0) > 150 && picture.At(x, y, 2) < 120;
 }
 
 TEST(MatchPicture, ShowsBothViewsSideBySideAtReducedSize) {
@@ -26,7 +26,7 @@ TEST(MatchPicture, ShowsBothViewsSideBySideAtReducedSize) {
   EXPECT_EQ(picture.At(1200, 250, 0), 200);
 }
 
-TEST(MatchPicture, CorrectMatchesAreGreenWrongOnesRed) {
+TEST(MatchPicture, CorrectMatchesAreBlueWrongOnesOrange) {
   const Image<uint8_t> view(200, 200, 3, 60);
   const double infinity = std::numeric_limits<double>::infinity();
   const Image<uint8_t> picture = MatchPicture(view,
@@ -36,12 +36,12 @@ TEST(MatchPicture, CorrectMatchesAreGreenWrongOnesRed) {
                                                {{Vec2d(50.5, 90.5), Vec2d(150.5, 90.5)}, infinity}},
                                               "title");
   for (const int x : {50, 100, 300, 350}) {
-    EXPECT_TRUE(IsGreen(picture, x, 20)) << x;
-    EXPECT_TRUE(IsRed(picture, x, 60)) << x;
-    EXPECT_TRUE(IsRed(picture, x, 90)) << x;
+    EXPECT_TRUE(IsBlue(picture, x, 20)) << x;
+    EXPECT_TRUE(IsOrange(picture, x, 60)) << x;
+    EXPECT_TRUE(IsOrange(picture, x, 90)) << x;
   }
-  EXPECT_FALSE(IsGreen(picture, 45, 20));
-  EXPECT_FALSE(IsGreen(picture, 355, 20));
+  EXPECT_FALSE(IsBlue(picture, 45, 20));
+  EXPECT_FALSE(IsBlue(picture, 355, 20));
 }
 
 TEST(MatchPicture, ManyMatchesAreThinnedToStayReadable) {
@@ -55,8 +55,8 @@ TEST(MatchPicture, ManyMatchesAreThinnedToStayReadable) {
   matches.resize(200);
   const Image<uint8_t> whole = MatchPicture(view, view, matches, "title");
   // A line every tenth match, one pixel apart, against one every match, a tenth apart.
-  EXPECT_TRUE(IsGreen(whole, 200, 10));
-  EXPECT_TRUE(IsGreen(thinned, 10, 150));
+  EXPECT_TRUE(IsBlue(whole, 200, 10));
+  EXPECT_TRUE(IsBlue(thinned, 10, 150));
   EXPECT_FALSE(thinned == whole);
 }
 

@@ -130,6 +130,15 @@ void InOrder(size_t count, int num_threads, const std::function<void(size_t)>& b
 
 }  // namespace
 
+std::vector<JudgedMatch> TripletMatches::Judged() const {
+  std::vector<JudgedMatch> matches;
+  for (const auto& [first, second] : attempted) {
+    matches.push_back(
+        {{detections_px[0][first], detections_px[1][second]}, DistanceM(points, first, second)});
+  }
+  return matches;
+}
+
 const Metric* BenchmarkResults::Find(const std::string& setup,
                                      size_t pair_idx,
                                      const std::string& metric) const {

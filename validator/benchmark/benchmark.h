@@ -5,11 +5,14 @@
 
 #include "validator/benchmark/view_source.h"
 #include "validator/grid/grid.h"
+#include "validator/match_picture.h"
+#include "validator/metrics/scene_points.h"
 #include "validator/metrics/tolerances.h"
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +31,20 @@ struct PairOfViews {
   ViewName second;
   /// "24" for the two cameras of a frame, as in the report; else "front:0-front:1".
   std::string label;
+};
+
+/// What a triplet did on a pair, match by match.
+struct TripletMatches {
+  std::string setup;
+  PairOfViews pair;
+  /// All detections, and their places in the world.
+  std::array<std::vector<Vec2d>, 2> detections_px;
+  PointsOfPair points;
+  /// Attempted matches by index of detections.
+  std::vector<std::pair<int, int>> attempted;
+
+  /// The same with pixels and distances.
+  std::vector<JudgedMatch> Judged() const;
 };
 
 struct BenchmarkOptions {
@@ -55,6 +72,8 @@ struct BenchmarkOptions {
   int num_shards = 1;
   /// Folder for a picture of each triplet's matches on each pair; empty: none.
   std::filesystem::path pictures;
+  /// Is told of each triplet on each pair, by several threads at once; may be empty.
+  std::function<void(const TripletMatches&)> observer;
   bool quiet = false;
 };
 

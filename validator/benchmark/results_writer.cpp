@@ -5,6 +5,7 @@
 #include "renderer/core/units.h"
 
 #include <cmath>
+#include <ctime>
 #include <iterator>
 #include <string>
 
@@ -137,6 +138,24 @@ void WriteResults(const BenchmarkResults& results, const std::filesystem::path& 
   WriteFileAtomically(folder / "results.csv", ResultsCsv(results));
   WriteFileAtomically(folder / "times.csv", TimesCsv(results));
   WriteFileAtomically(folder / "results.json", ResultsJson(results));
+}
+
+void WriteRun(const RunRecord& run, const std::filesystem::path& folder) {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc = {};
+  gmtime_r(&now, &utc);
+  nlohmann::ordered_json json;
+  json["command"] = run.command;
+  json["sequence"] = std::filesystem::proximate(run.sequence, folder).generic_string();
+  json["wall_s"] = run.wall_s;
+  json["finished"] = fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z",
+                                 utc.tm_year + 1900,
+                                 utc.tm_mon + 1,
+                                 utc.tm_mday,
+                                 utc.tm_hour,
+                                 utc.tm_min,
+                                 utc.tm_sec);
+  WriteFileAtomically(folder / "run.json", json.dump(1) + "\n");
 }
 
 }  // namespace pfseq

@@ -15,9 +15,21 @@ namespace pfseq {
 ///                   tolerance in neither; low and high are a 95 % confidence interval. An empty
 ///                   value: degenerate
 ///   results.json    the same as arrays over the tolerances, with program version, sequence, seed
-///   times.csv       lens,pair,unit,stage,cpu_s: the one file that differs from run to run
+///   times.csv       lens,pair,unit,stage,cpu_s: differs from run to run
 ///
 /// SystemError when the folder cannot be written.
 void WriteResults(const BenchmarkResults& results, const std::filesystem::path& folder);
+
+/// How a run went.
+struct RunRecord {
+  std::string command;
+  /// What was measured: a sequence's folder or a dataset's description.
+  std::filesystem::path sequence;
+  double wall_s = 0.0;
+};
+
+/// Writes run.json: command, sequence (relative to `folder`), wall_s, and finished, the time now in
+/// UTC. Like times.csv it differs from run to run.
+void WriteRun(const RunRecord& run, const std::filesystem::path& folder);
 
 }  // namespace pfseq

@@ -296,7 +296,7 @@ class Unit {
         result.setup = TripletName(
             context_.OwnGrid().detectors[family_[member]].detector, work.descriptor, matcher);
         result.pair_idx = pair_idx_;
-        DrawPicture(own, attempted, result.setup);
+        Show(own, attempted, result.setup);
         result_.of_members[member].push_back(std::move(result));
       }
     }
@@ -312,23 +312,30 @@ class Unit {
     DetectionJudgement detections;
   };
 
-  void DrawPicture(const Member& own,
-                   const std::vector<std::pair<int, int>>& attempted,
-                   const std::string& setup) const {
-    if (context_.Options().pictures.empty()) {
+  /// Pictures of matches, and whoever else wants to see them.
+  void Show(const Member& own,
+            const std::vector<std::pair<int, int>>& attempted,
+            const std::string& setup) const {
+    const BenchmarkOptions& options = context_.Options();
+    if (options.pictures.empty() && !options.observer) {
       return;
     }
-    std::vector<JudgedMatch> matches;
-    for (const auto& [first, second] : attempted) {
-      matches.push_back({{own.pair.first.pixels_px[first], own.pair.second.pixels_px[second]},
-                         DistanceM(own.pair.points, first, second)});
+    const TripletMatches matches = {setup,
+                                    pair_,
+                                    {own.pair.first.pixels_px, own.pair.second.pixels_px},
+                                    own.pair.points,
+                                    attempted};
+    if (options.observer) {
+      options.observer(matches);
     }
-    const ViewSource& source = context_.Source();
-    WriteMatchPicture(source.ReadImage(pair_.lens, pair_.first, context_.Variant()),
-                      source.ReadImage(pair_.lens, pair_.second, context_.Variant()),
-                      matches,
-                      fmt::format("{}, {}, pair {}", setup, pair_.lens, pair_.label),
-                      context_.Options().pictures);
+    if (!options.pictures.empty()) {
+      const ViewSource& source = context_.Source();
+      WriteMatchPicture(source.ReadImage(pair_.lens, pair_.first, context_.Variant()),
+                        source.ReadImage(pair_.lens, pair_.second, context_.Variant()),
+                        matches.Judged(),
+                        fmt::format("{}, {}, pair {}", setup, pair_.lens, pair_.label),
+                        options.pictures);
+    }
   }
 
   static std::vector<int> PointsOfMember(const FamilyKeyPoints& family, size_t member) {

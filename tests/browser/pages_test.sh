@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The report's page and the viewer in headless Chromium: PFSEQ_PROGRAM SOURCE_FOLDER [SCREENSHOTS]
+# Debian's Python has Debian's selenium.
+source "$(dirname "$0")/../end_to_end/common.sh"
+tests=$source_folder/tests/browser
+"$pfseq" render "$tiny" --out sequence --frames 0,1 --lenses equisolid --outputs clean,distance,sky --set image.size_px=240 --quiet >/dev/null
+cat >grid.yaml <<'YAML'
+detectors:
+  - {algorithm: SIFT, polar: [false, true], contrastThreshold: [0.01, 0.02, 0.04], edgeThreshold: [5, 10]}
+  - {algorithm: ORB, nfeatures: [300, 1000]}
+descriptors:
+  - algorithm: SIFT
+  - {algorithm: ORB, WTA_K: [2, 3]}
+matchers:
+  - algorithm: BruteForce
+  - algorithm: RatioTest
+YAML
+"$pfseq" bench sequence --grid grid.yaml --out results --pairs 0 --quiet >/dev/null
+"$pfseq" report results --out report --quiet >report.txt
+# What is left when a run had no pairs.
+mkdir none
+/usr/bin/python3 - <<'PYTHON'
+import json
+results = json.load(open("results/results.json"))
+results["pairs"] = results["settings"] = []
+json.dump(results, open("none/results.json", "w"))
+PYTHON
+"$pfseq" report none --out empty --quiet >/dev/null
+status=0
+/usr/bin/python3 "$tests/report_page_test.py" report results empty ${3:+"$3"} || status=$?
+[ "$status" -eq 0 ] || exit "$status"
+/usr/bin/python3 "$tests/view_page_test.py" "$pfseq" sequence ${3:+"$3"}
