@@ -55,6 +55,8 @@ class WindowType : public YamlType<WindowGrid> {
 
 struct PhotoSpec {
   std::string file;
+  std::string normal;
+  std::string roughness;
   double width_m = 10.0;
   double height_m = 10.0;
   int floors = 1;
@@ -74,6 +76,8 @@ YamlTypePtr<PhotosSpec> PhotosSchema() {
   const YamlRange size_m{0.0, 500.0, true};
   auto photo = std::make_shared<YamlMapping<PhotoSpec>>();
   photo->Key("file", &PhotoSpec::file, YamlPath(), "The photograph.")
+      .Key("normal", &PhotoSpec::normal, YamlPath(), "Its normal map.")
+      .Key("roughness", &PhotoSpec::roughness, YamlPath(), "Its roughness map.")
       .Key("width_m", &PhotoSpec::width_m, YamlNumber(size_m), "")
       .Key("height_m", &PhotoSpec::height_m, YamlNumber(size_m), "")
       .Key("floors", &PhotoSpec::floors, YamlInteger<int>(1, 100), "")
@@ -154,6 +158,26 @@ FacadePhoto ReadPhoto(const std::filesystem::path& path, const Named<PhotoSpec>&
   FacadePhoto photo;
   photo.name = named.name;
   photo.image = std::make_shared<const Image<uint8_t>>(Cropped(image, crop_px));
+  const auto read_map = [&](const std::string& key,
+                            const std::string& file) -> std::shared_ptr<const Image<uint8_t>> {
+    if (file.empty()) {
+      return nullptr;
+    }
+    const Image<uint8_t> map = ReadImage8(file);
+    if (map.WidthPx() != image.WidthPx() || map.HeightPx() != image.HeightPx()) {
+      throw InputError("{}: facades.{}.{}: expected the photograph's size, {} x {} px, got {} x {}",
+                       path.string(),
+                       named.name,
+                       key,
+                       image.WidthPx(),
+                       image.HeightPx(),
+                       map.WidthPx(),
+                       map.HeightPx());
+    }
+    return std::make_shared<const Image<uint8_t>>(Cropped(map, crop_px));
+  };
+  photo.normal = read_map("normal", spec.normal);
+  photo.roughness = read_map("roughness", spec.roughness);
   photo.size_m = {spec.width_m, spec.height_m};
   photo.num_floors = spec.floors;
   photo.recess_m = spec.recess_m;

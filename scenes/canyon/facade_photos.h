@@ -10,6 +10,8 @@
 //       width_m: 34                    of the photograph, after cropping
 //       height_m: 16.5
 //       floors: 5
+//       normal: PATH                   tangent-space normal map of the photograph's size, green up
+//       roughness: PATH                the same for roughness, in green (glTF's channel)
 //       crop_px: [left, top, right, bottom]        the part to use; left out: all of it
 //       recess_m: 0.15                             how deep windows lie
 //       windows_px:                                rectangles in the whole photograph, or grids of
@@ -30,8 +32,10 @@ namespace pfseq {
 
 struct FacadePhoto {
   std::string name;
-  /// Cropped, 4 channels.
+  /// Cropped, 4 channels; the maps are null where there are none.
   std::shared_ptr<const Image<uint8_t>> image;
+  std::shared_ptr<const Image<uint8_t>> normal;
+  std::shared_ptr<const Image<uint8_t>> roughness;
   Vec2d size_m = Vec2d::Ones();
   int num_floors = 1;
   double recess_m = 0.15;

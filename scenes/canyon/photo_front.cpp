@@ -101,6 +101,8 @@ void BuildPhotoFront(const BuildContext& context,
   const double fitted_m = width_m / count;
   WallPhoto placed;
   placed.image = photo.image;
+  placed.normal = photo.normal;
+  placed.roughness = photo.roughness;
   placed.low_m = area.low_m;
   placed.size_m = {std::clamp(fitted_m, 0.85 * natural_m, 1.15 * natural_m), height_m};
   placed.is_mirrored = RandomStream({building.seed, 46}).Chance(0.5);

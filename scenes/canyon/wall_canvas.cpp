@@ -109,7 +109,10 @@ PaintedWall WallCanvas::Finish(const std::string& name, int normal_step) const {
                spacing_m;
       };
       // Rows run down, the bitangent up: the slope along it has the opposite sign.
-      const Vec3d normal = Vec3d(-slope(normal_step, 0), slope(0, normal_step), 1.0).normalized();
+      const Vec2f& tilt = texel(column, row).tilt;
+      const Vec3d normal =
+          Vec3d(tilt.x() - slope(normal_step, 0), tilt.y() + slope(0, normal_step), 1.0)
+              .normalized();
       SetTexel(
           (0.5 * normal + Vec3d::Constant(0.5)).cast<float>().array(), x, y, wall.normal.texels);
     }

@@ -17,6 +17,8 @@ struct WallTexel {
   float height_m = 0.0F;
   float dirt = 0.0F;
   float roughness = 0.9F;
+  /// What the normal leans to the right and up beside what the relief makes it lean.
+  Vec2f tilt = Vec2f::Zero();
 };
 
 /// The textures of a painted wall, one square each of texture coordinates.

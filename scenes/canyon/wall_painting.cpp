@@ -46,8 +46,19 @@ void PaintPhoto(const WallPainting& painting, WallCanvas& canvas) {
     const float fine =
         fractal.At(point_m.x(), point_m.y(), canvas.TexelM(), painting.look.seed % 89 + 100);
     texel.color = ((color + 0.8F * (color - around)) * (1.0F + 0.035F * fine)).max(0.0F).min(1.0F);
-    // Mortar, frames and shade lie deeper than what is bright beside them.
-    texel.height_m = 0.012F * (color.mean() - around.mean()) + 0.0008F * fine;
+    texel.height_m = 0.0008F * fine;
+    if (photo.normal) {
+      const Rgb normal = 2.0F * PhotoColor(*photo.normal, x_px, y_px) - 1.0F;
+      const float up = normal[1] / std::max(0.1F, normal[2]);
+      const float right = normal[0] / std::max(0.1F, normal[2]);
+      texel.tilt = {photo.is_mirrored ? -right : right, up};
+    } else {
+      // Mortar, frames and shade lie deeper than what is bright beside them.
+      texel.height_m += 0.012F * (color.mean() - around.mean());
+    }
+    if (photo.roughness) {
+      texel.roughness = PhotoColor(*photo.roughness, x_px, y_px)[1];
+    }
   });
 }
 

@@ -30,6 +30,9 @@ struct Ledge {
 /// A photograph that is laid over the wall instead of a painted surface.
 struct WallPhoto {
   std::shared_ptr<const Image<uint8_t>> image;
+  /// Of the image's size, or null: a normal map with green up, and roughness in green.
+  std::shared_ptr<const Image<uint8_t>> normal;
+  std::shared_ptr<const Image<uint8_t>> roughness;
   /// Where its left and lower edge lie, and how large it is, on the facade; it repeats sideways.
   Vec2d low_m = Vec2d::Zero();
   Vec2d size_m = Vec2d::Ones();

@@ -87,6 +87,20 @@ TEST_F(FacadePhotosTest, TellsFaultsInOneLine) {
   EXPECT_THAT(message(std::string(kGood) + "    flors: 2\n"), testing::HasSubstr("floors"));
 }
 
+TEST_F(FacadePhotosTest, MapsAreCroppedAlikeAndOfTheSameSize) {
+  WriteFileAtomically(folder_.Path() / "normal.png", EncodePng(Image<uint8_t>(40, 20, 3, 128)));
+  WriteFileAtomically(folder_.Path() / "small.png", EncodePng(Image<uint8_t>(20, 10, 3, 128)));
+  const std::string good = std::string(kGood) + "    crop_px: [4, 0, 24, 16]\n";
+  const FacadePhotos photos =
+      ReadFacadePhotos(Write(good + "    normal: normal.png\n    roughness: front.png\n"));
+  EXPECT_EQ(photos.photos[0]->normal->WidthPx(), 20);
+  EXPECT_EQ(*photos.photos[0]->roughness, *photos.photos[0]->image);
+  EXPECT_THAT(MessageOf<InputError>([&] {
+                ReadFacadePhotos(Write(good + "    normal: small.png\n"));
+              }),
+              testing::HasSubstr("normal: expected the photograph's size, 40 x 20 px, got 20 x 10"));
+}
+
 TEST_F(FacadePhotosTest, ChoosesOnesOfAboutTheHeightWanted) {
   const FacadePhotos photos = ReadFacadePhotos(Write(kGood));
   EXPECT_EQ(ChoosePhoto(photos, 11.0, 1), photos.photos[0]);

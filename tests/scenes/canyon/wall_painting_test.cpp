@@ -96,13 +96,44 @@ TEST(WallPainting, PhotographsLieUprightAndWhereTheyAreTold) {
     }
   }
   WallPainting painting = PlainPainting(WallSurface::kPlaster);
-  painting.photo = {image, {0, 4}, {3, 3}, false};
+  painting.photo = {image, nullptr, nullptr, {0, 4}, {3, 3}, false};
   const Texture wall = Paint(painting).color;
   EXPECT_GT(wall.texels.At(75, 30, 0), 150);
   EXPECT_GT(wall.texels.At(30, 120, 1), 150);
   EXPECT_GT(wall.texels.At(120, 120, 2), 150);
   painting.photo.is_mirrored = true;
   EXPECT_GT(Paint(painting).color.texels.At(120, 120, 1), 150);
+}
+
+TEST(WallPainting, MapsOfAPhotographTiltTheNormalAndSetTheRoughness) {
+  WallPainting painting = PlainPainting(WallSurface::kPlaster);
+  const auto even = [](uint8_t red, uint8_t green, uint8_t blue) {
+    auto image = std::make_shared<Image<uint8_t>>(8, 8, 4, uint8_t{255});
+    for (int i = 0; i < 64; ++i) {
+      image->At(i % 8, i / 8, 0) = red;
+      image->At(i % 8, i / 8, 1) = green;
+      image->At(i % 8, i / 8, 2) = blue;
+    }
+    return image;
+  };
+  // (0.6, 0.2, 0.8), about.
+  painting.photo = {even(120, 120, 120), even(204, 153, 230), even(0, 51, 0), {0, 4}, {3, 3}, false};
+  const auto mean = [](const Texture& texture, int channel) {
+    double sum = 0.0;
+    for (int y = 0; y < texture.texels.HeightPx(); ++y) {
+      for (int x = 0; x < texture.texels.WidthPx(); ++x) {
+        sum += texture.texels.At(x, y, channel);
+      }
+    }
+    return sum / static_cast<double>(texture.texels.NumPixels());
+  };
+  const double length = std::hypot(0.6, 0.2, 0.804);
+  const PaintedWall wall = Paint(painting);
+  EXPECT_NEAR(mean(wall.normal, 0) / 127.5 - 1.0, 0.6 / length, 0.02);
+  EXPECT_NEAR(mean(wall.normal, 1) / 127.5 - 1.0, 0.2 / length, 0.02);
+  EXPECT_NEAR(mean(wall.roughness, 1), 51.0, 0.5);
+  painting.photo.is_mirrored = true;
+  EXPECT_NEAR(mean(Paint(painting).normal, 0) / 127.5 - 1.0, -0.6 / length, 0.02);
 }
 
 }  // namespace
