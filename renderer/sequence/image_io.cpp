@@ -16,6 +16,9 @@
 namespace pfseq {
 namespace {
 
+/// Of zlib, from 1 (fast) to 9 (small).
+constexpr int kSmallPngLevel = 6;
+
 constexpr float kMaxHalf = 65504.0F;
 constexpr int kMaxImagePx = 65536;
 
@@ -146,7 +149,7 @@ Bytes EncodePng(const Image<uint8_t>& image, PngEffort effort) {
   OIIO::ImageSpec spec(
       image.WidthPx(), image.HeightPx(), image.NumChannels(), OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("png:compressionLevel", effort == PngEffort::kFast ? 1 : 6);
+  spec.attribute("png:compressionLevel", effort == PngEffort::kFast ? 1 : kSmallPngLevel);
   if (effort == PngEffort::kFast) {
     // libpng's PNG_FILTER_SUB; by default it tries all filters for each row.
     spec.attribute("png:filter", 0x10);
@@ -157,7 +160,7 @@ Bytes EncodePng(const Image<uint8_t>& image, PngEffort effort) {
 Bytes EncodePng16(const Image<uint16_t>& image) {
   OIIO::ImageSpec spec(
       image.WidthPx(), image.HeightPx(), image.NumChannels(), OIIO::TypeDesc::UINT16);
-  spec.attribute("png:compressionLevel", kDefaultPngLevel);
+  spec.attribute("png:compressionLevel", kSmallPngLevel);
   return Encode("png", spec, OIIO::TypeDesc::UINT16, image.Values().data());
 }
 
