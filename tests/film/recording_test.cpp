@@ -75,6 +75,7 @@ TEST(Recording, NoiseDependsOnKeyAndPlaceAlone) {
   EXPECT_EQ(recording.Record(even, 7, 3), first);
   EXPECT_NE(recording.Record(even, 8, 1), first);
   EXPECT_NE(first.At(3, 4, 0), first.At(4, 3, 0));
+  EXPECT_NE(first.At(3, 4, 0), first.At(3, 5, 0));
   EXPECT_NE(first.At(3, 4, 0), first.At(3, 4, 1));
 }
 
@@ -115,6 +116,11 @@ TEST(Recording, MosaicKeepsEvenColorsAndMeasuredPixels) {
   EXPECT_EQ(red.At(6, 6, 1), 0);
   EXPECT_EQ(red.At(7, 6, 0), 16384);
   EXPECT_EQ(record("bggr", dot).At(6, 6, 2), 32768);
+  // Of grbg the second pixel of a row is red.
+  dot.At(6, 6, 0) = 0.0F;
+  dot.At(7, 6, 0) = 1.0F;
+  EXPECT_EQ(record("grbg", dot).At(7, 6, 0), 32768);
+  EXPECT_EQ(record("gbrg", dot).At(7, 6, 0), 0);
 }
 
 TEST(Recording, GreyIsTheLuminanceInOneChannel) {

@@ -237,7 +237,8 @@ TEST_F(SequenceSchema, OverridesReachEachKeyOfTheHelp) {
         key.replace(key.find("NAME"), 4, name);
       }
     }
-    const std::string message = ErrorOf(kSmall, {key + "={}"});
+    const std::string message =
+        ErrorOf(std::string(kSmall) + "optics: {ghosts: {one: {}}}\n", {key + "={}"});
     EXPECT_EQ(message.find("--set " + key + "={}: expected "), 0U) << message;
     ++num_keys;
   }
