@@ -36,9 +36,8 @@ void AddReportCommand(CLI::App& app) {
   auto flags = std::make_shared<Flags>();
   CLI::App* command = app.add_subcommand("report", "Makes a page, tables and figures of results");
   command->footer(kFooter);
-  command->add_option("RESULTS", flags->options.results, "Folders that pfseq bench wrote")
-      ->required();
-  command->add_option("--out", flags->options.out, "Folder of the report")->required();
+  command->add_option("RESULTS", flags->options.results, "Folders that pfseq bench wrote");
+  command->add_option("--out", flags->options.out, "Folder of the report");
   command
       ->add_option("--sequence",
                    flags->options.sequences,
@@ -49,6 +48,9 @@ void AddReportCommand(CLI::App& app) {
   AddRunFlags(*command, flags->run);
   command->callback([flags] {
     ReportOptions& options = flags->options;
+    if (options.results.empty() || options.out.empty()) {
+      throw InputError("report: expected RESULTS and --out DIR");
+    }
     options.has_pictures = !flags->no_pictures;
     options.num_threads = flags->run.num_threads;
     options.quiet = flags->run.quiet;

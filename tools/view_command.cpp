@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "renderer/core/error.h"
 #include "tools/commands.h"
 #include "validator/view/view_server.h"
 
@@ -29,11 +30,14 @@ void AddViewCommand(CLI::App& app) {
   auto flags = std::make_shared<Flags>();
   CLI::App* command = app.add_subcommand("view", "Shows a sequence in a local page");
   command->footer(kFooter);
-  command->add_option("DIR", flags->folder, "Folder of a sequence")->required();
+  command->add_option("DIR", flags->folder, "Folder of a sequence");
   command->add_option("--port", flags->port, "Port on the loopback; 0: any free one")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   command->callback([flags] {
+    if (flags->folder.empty()) {
+      throw InputError("view: expected DIR, the folder of a sequence");
+    }
     ServeSequence(flags->folder, flags->port, [&](const std::string& address) {
       fmt::print("{} at {} (Ctrl-C ends)\n", flags->folder.string(), address);
       std::fflush(stdout);

@@ -18,6 +18,8 @@ matchers:
 YAML
 "$pfseq" bench sequence --grid grid.yaml --out results --pairs 0 --quiet >/dev/null
 "$pfseq" report results --out report --quiet >report.txt
+"$pfseq" bench sequence --grid grid.yaml --out later --pairs 1 --quiet >/dev/null
+"$pfseq" report results later --out both --no-pictures --quiet >/dev/null
 # What is left when a run had no pairs.
 mkdir none
 /usr/bin/python3 - <<'PYTHON'
@@ -28,6 +30,6 @@ json.dump(results, open("none/results.json", "w"))
 PYTHON
 "$pfseq" report none --out empty --quiet >/dev/null
 status=0
-/usr/bin/python3 "$tests/report_page_test.py" report results empty ${3:+"$3"} || status=$?
+/usr/bin/python3 "$tests/report_page_test.py" report results empty both ${3:+"$3"} || status=$?
 [ "$status" -eq 0 ] || exit "$status"
 /usr/bin/python3 "$tests/view_page_test.py" "$pfseq" sequence ${3:+"$3"}

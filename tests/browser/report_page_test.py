@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Clicks through a report's page. Usage: report_page_test.py REPORT_FOLDER RESULTS_FOLDER EMPTY_REPORT_FOLDER [SCREENSHOTS]"""
+"""Clicks through a report's page. Usage: report_page_test.py REPORT_FOLDER RESULTS_FOLDER EMPTY_REPORT_FOLDER REPORT_OF_TWO
+[SCREENSHOTS]; the first of the two is RESULTS_FOLDER."""
 
 import csv
 import sys
@@ -51,6 +52,16 @@ def test_table_is_sorted(browser):
     expect_equal(browser.one('#settings th[aria-sort="ascending"]').text.strip("↑ \n"), "Setting", "the sorted column")
 
 
+def test_best_is_marked(browser):
+    """The rules of the mark are the page's own; here that it goes to the highest values, in their order."""
+    browser.run("report.enough_matches = 0")
+    browser.choose("Tolerance", "15 cm")
+    browser.one('#settings [data-column="matching_score"]').click()
+    scores = [float(text) for text in column(browser, 2) if text != "–"]
+    marked = [float(browser.one(f"#settings td:nth-child(2).{kind}").text) for kind in ("best", "second")]
+    expect_equal(marked, sorted(scores, reverse=True)[:2], "best and second best matching score")
+
+
 def test_table_is_filtered(browser):
     everything = len(column(browser, 1))
     browser.one("#filter").send_keys("ORB brute")
@@ -75,15 +86,31 @@ def test_numbers_are_those_of_the_results(browser, results):
         expect_equal(text, f"{float(value):.3f}" if value else "–", f"matching score of {setup}")
 
 
+def scores_at_4_cm(results):
+    with open(results / "results.csv", newline="") as file:
+        return {row["setup"]: float(row["value"]) for row in csv.DictReader(file)
+                if row["metric"] == "matching_score" and row["tolerance_m"] == "0.04" and row["value"]}
+
+
+def test_two_results_are_compared(browser, results):
+    expected = scores_at_4_cm(results)
+    rows = [[cell.text for cell in row.find_elements("css selector", "td")] for row in browser.all("#between tbody tr")]
+    expect(len(rows) >= 5, "expected rows of settings that both results have")
+    for name, first, second in rows:
+        expect_equal(first, f"{expected[name]:.3f}", f"score of {name} in the first results")
+        expect(second.split()[0].replace(".", "").isdigit(), f"a score of {name} in the second results, got {second}")
+    expect_equal([float(row[1]) for row in rows], sorted((float(row[1]) for row in rows), reverse=True), "order of the rows")
+
+
 def test_page_fits(browser, width):
     expect(browser.run("return document.documentElement.scrollWidth") <= width, f"the page is wider than {width} px")
 
 
 def main():
-    report, results, empty = (Path(word).resolve() for word in sys.argv[1:4])
-    shots = Path(sys.argv[4]) if len(sys.argv) > 4 else None
+    report, results, empty, both = (Path(word).resolve() for word in sys.argv[1:5])
+    shots = Path(sys.argv[5]) if len(sys.argv) > 5 else None
     address = (report / "report.html").as_uri()
-    with Browser([address, (empty / "report.html").as_uri()]) as browser:
+    with Browser([address, (empty / "report.html").as_uri(), (both / "report.html").as_uri()]) as browser:
         browser.open(address)
         expect_equal(browser.run("return document.documentElement.dataset.ready"), "true", "the page's scripts ran to their end")
         expect(browser.all("#verdict .finding"), "a verdict")
@@ -93,6 +120,7 @@ def main():
         test_curve_is_hidden_and_shown(browser)
         test_setting_is_added(browser)
         test_table_is_sorted(browser)
+        test_best_is_marked(browser)
         test_table_is_filtered(browser)
         test_numbers_are_those_of_the_results(browser, results)
         test_page_fits(browser, 1280)
@@ -104,6 +132,9 @@ def main():
         for name in ("verdict", "curves", "settings", "pictures", "failures"):
             expect(browser.all(f"#{name} .note"), f"the empty page says what is missing in {name}")
         expect_equal(browser.faults(), [], "errors and requests of the empty page")
+        browser.open((both / "report.html").as_uri())
+        test_two_results_are_compared(browser, results)
+        expect_equal(browser.faults(), [], "errors and requests of the page of two")
     with Browser([address], width=390, height=844, dark=True) as browser:
         browser.open(address)
         test_page_fits(browser, 390)

@@ -32,7 +32,7 @@ expect_failure 2 "expected pol or nopol" "$pfseq" bench --setting "SIFT 0.04" --
 expect_failure 2 "--shard 2/2" "$pfseq" bench nothing --out results --shard 2/2
 expect_failure 2 "nothing/results.json" "$pfseq" report nothing --out results
 expect_failure 2 "--out" "$pfseq" report nothing
-expect_failure 2 "nothing/rig.yaml" "$pfseq" view nothing --port 0
+expect_failure 2 "nothing: expected the folder of a sequence" "$pfseq" view nothing --port 0
 [ ! -e results ] || fail "a refused benchmark left a folder behind"
 [ ! -e out ] || fail "a refused run left a folder behind"
 

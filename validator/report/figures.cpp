@@ -19,7 +19,6 @@ constexpr const char* kHead = R"gp(# {0}
 # Draws {1}.svg and {1}.png. Run beside this file: gnuplot {1}.gp
 reset
 set datafile separator ","
-set termoption noenhanced
 set xlabel "Distance tolerance (cm)"
 set ylabel "{2}"
 set xrange [0:*]
@@ -33,12 +32,12 @@ set key at screen 0.03, screen {4:.3f} left top Left reverse vertical maxcols 1 
 )gp";
 /// The second drawing is the first one again, on another terminal.
 constexpr const char* kSvg =
-    R"gp(set terminal svg size 480,{1} dynamic font "Helvetica,14" linewidth 1.5
+    R"gp(set terminal svg noenhanced size 480,{1} dynamic font "Helvetica,14" linewidth 1.5
 set output "{0}.svg"
 plot \
 )gp";
 constexpr const char* kPng =
-    R"gp(set terminal pngcairo size 1440,{1} font "Helvetica,14" fontscale 3 linewidth 4 pointscale 2.5
+    R"gp(set terminal pngcairo noenhanced size 1440,{1} font "Helvetica,14" fontscale 3 linewidth 4 pointscale 2.5
 set output "{0}.png"
 replot
 unset output

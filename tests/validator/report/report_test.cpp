@@ -3,6 +3,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
+#include "renderer/sequence/image_io.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 #include "tests/validator/report/report_fixture.h"
@@ -115,6 +116,20 @@ TEST(Figures, ScriptDrawsTheBestColumnsInColoursOfTheirOwn) {
     EXPECT_TRUE(colors.insert((*i)[1]).second) << (*i)[1];
   }
   EXPECT_EQ(colors.size(), kMaxCurves);
+}
+
+TEST(Figures, GnuplotDrawsThemForPapers) {
+  if (std::system("command -v gnuplot >/dev/null") != 0) {
+    GTEST_SKIP() << "gnuplot is missing (tools/setup.sh installs it)";
+  }
+  const TempFolder folder;
+  WriteFakeResults(folder / "results", {kBest, kOdd});
+  EXPECT_TRUE(WriteReport(Options(folder)).has_figures);
+  const std::string svg = ReadFile(folder / "report/figures/matching_score_pair_0.svg");
+  EXPECT_NE(svg.find(kBest.name), std::string::npos);
+  EXPECT_NE(svg.find("Odd_net 50%, new &amp; {1} BruteForce"), std::string::npos);
+  const Image<uint8_t> png = ReadImage8(folder / "report/figures/matching_score_pair_0.png");
+  EXPECT_EQ(png.WidthPx(), 1440);  // 8.5 cm at 430 dots an inch.
 }
 
 TEST(Base64, IsThatOfTheStandard) {

@@ -24,10 +24,14 @@ function drawTable() {
   // The best and second best of a column, of all settings with enough matches.
   function marks(metric) {
     if (UNRANKED.has(metric)) return [];
-    const sign = LESS_IS_BETTER.has(metric) ? 1 : -1;
-    return group().settings.map((setting, i) => i)
-      .filter((i) => !Number.isNaN(value(metric, i)) && !(value(countOf(), i) < report.enough_matches))
-      .sort((a, b) => sign * (value(metric, a) - value(metric, b))).slice(0, 2);
+    const sign = LESS_IS_BETTER.has(metric) ? -1 : 1;
+    let best = [], values = [-Infinity, -Infinity];
+    group().settings.forEach((setting, i) => {
+      const one = sign * value(metric, i);
+      if (Number.isNaN(one) || one <= values[1] || value(countOf(), i) < report.enough_matches) return;
+      [best, values] = one > values[0] ? [[i, best[0]], [one, values[0]]] : [[best[0], i], [values[0], one]];
+    });
+    return best;
   }
 
   function rows() {
@@ -38,8 +42,8 @@ function drawTable() {
       chosen.sort((a, b) => sign * group().settings[a].name.localeCompare(group().settings[b].name));
     } else {
       // What has no value comes last either way.
-      const key = (i) => { const one = value(state.sort, i); return Number.isNaN(one) ? Infinity : sign * one; };
-      chosen.sort((a, b) => key(a) - key(b) || a - b);
+      const keys = new Map(chosen.map((i) => [i, sign * value(state.sort, i)]).map(([i, key]) => [i, Number.isNaN(key) ? Infinity : key]));
+      chosen.sort((a, b) => (keys.get(a) === keys.get(b) ? a - b : keys.get(a) - keys.get(b)));
     }
     return chosen;
   }

@@ -57,6 +57,30 @@ function drawVerdict() {
     `these stages, so theirs is an upper bound. Shares are means over the pairs, each pair counting the same.`));
 }
 
+const MAX_COMPARED = 12;
+
+// With several results: what the same settings reach in each, by the mean over its pairs.
+function drawBetween() {
+  if (report.sources.length < 2 || report.verdict.length === 0) return;
+  const target = section("verdict"), group = groups.triplets;
+  const pairsOf = (source) => report.cases.map((one, i) => i).filter((i) => report.cases[i].source === source);
+  const mean = (setting, pairs) => pairs.reduce((sum, i) => sum + group.value("matching_score", setting, i, verdictTolerance), 0) / pairs.length;
+  const rows = group.settings.map((setting, i) => ({ name: setting.name, means: report.sources.map((source, j) => mean(i, pairsOf(j))) }))
+    .filter((row) => row.means.every((one) => !Number.isNaN(one)));
+  rows.sort((a, b) => b.means[0] - a.means[0]);
+  target.append(h("h3", null, "Between the results"));
+  if (rows.length === 0) {
+    target.append(note("They have no triplet in common."));
+    return;
+  }
+  const change = (row, value) => row.means[0] > 0 ? ` (${value >= row.means[0] ? "+" : "−"}${Math.abs(100 * (value / row.means[0] - 1)).toFixed(0)} %)` : "";
+  target.append(h("div", { class: "scroll" }, h("table", { id: "between" },
+    h("caption", null, `Matching score within ${tolerances[verdictTolerance].label}, mean over the pairs of each; the ${Math.min(rows.length, MAX_COMPARED)} best in ${report.sources[0].name} of ${rows.length} in common`),
+    h("thead", null, h("tr", null, h("th", { scope: "col" }, "Setting"), report.sources.map((source) => h("th", { scope: "col", class: "number" }, source.name)))),
+    h("tbody", null, rows.slice(0, MAX_COMPARED).map((row) => h("tr", null, h("td", { class: "name" }, row.name),
+      row.means.map((value, j) => h("td", { class: "number" }, formatValue("matching_score", value) + (j > 0 ? change(row, value) : "")))))))));
+}
+
 const JUDGEMENT_CLASS = { "holds": "holds", "does not hold": "fails", "holds in part": "unsure", "cannot be said": "unsure" };
 
 function drawConclusions(target) {
@@ -124,6 +148,7 @@ function drawMade() {
 
 drawHeader();
 drawVerdict();
+drawBetween();
 drawConclusions(section("study"));
 drawSideBySide(section("study"));
 drawMade();
