@@ -43,8 +43,8 @@ class SecondIntegral {
 
 /// The same of a distribution with the standard deviation sigma.
 double ScaledIntegral(double x, double sigma) {
-  static const SecondIntegral integral;
-  return sigma > 0.0 ? sigma * integral(x / sigma) : std::max(x, 0.0);
+  static const SecondIntegral kIntegral;
+  return sigma > 0.0 ? sigma * kIntegral(x / sigma) : std::max(x, 0.0);
 }
 
 /// Shares of a Gaussian about `middle`, spread over a pixel, that fall into cells from the first
