@@ -4,7 +4,9 @@
 # Debian's Python has Debian's selenium.
 source "$(dirname "$0")/../end_to_end/common.sh"
 tests=$source_folder/tests/browser
-"$pfseq" render "$tiny" --out sequence --frames 0,1 --lenses equisolid --outputs clean,distance,sky --set image.size_px=240 --quiet >/dev/null
+# A few noisy samples are enough to click at.
+"$pfseq" render "$tiny" --out sequence --frames 0,1 --lenses equisolid --outputs clean,distance,sky --set image.size_px=240 \
+  --set render.light=path --set render.samples=2 --set render.max_samples=2 --set render.max_bounces=2 --quiet >/dev/null
 cat >grid.yaml <<'YAML'
 detectors:
   - {algorithm: SIFT, polar: [false, true], contrastThreshold: [0.01, 0.02, 0.04], edgeThreshold: [5, 10]}

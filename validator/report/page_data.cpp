@@ -68,6 +68,7 @@ Json VerdictJson(const PageContent& content) {
           entry.measure->is_of_detectors ? content.results->detectors : content.results->triplets;
       entries.push_back({{"title", entry.measure->title},
                          {"metric", entry.measure->metric},
+                         {"enough", entry.has_enough},
                          {"best", RankedJson(entry.best, group)},
                          {"second", RankedJson(entry.second, group)}});
     }

@@ -22,7 +22,8 @@ std::vector<Ranked> Rank(const SettingGroup& group,
                          const Measure& measure,
                          const std::vector<size_t>& cases,
                          size_t tolerance_idx,
-                         const std::function<bool(const ReportSetting&)>& accepts) {
+                         const std::function<bool(const ReportSetting&)>& accepts,
+                         double min_count) {
   std::vector<Ranked> ranked;
   if (cases.empty()) {
     return ranked;
@@ -38,7 +39,7 @@ std::vector<Ranked> Rank(const SettingGroup& group,
       const double count = group.Value(measure.count, i, case_idx, tolerance_idx);
       one.count = std::isnan(count) ? 0.0 : std::min(one.count, count);
     }
-    if (!std::isnan(one.value) && one.count >= kEnoughMatches) {
+    if (!std::isnan(one.value) && one.count >= min_count) {
       ranked.push_back(one);
     }
   }
@@ -64,8 +65,11 @@ std::vector<VerdictLine> Verdict(const ResultSet& results) {
   for (VerdictLine& line : lines) {
     for (const Measure& measure : VerdictMeasures()) {
       const SettingGroup& group = measure.is_of_detectors ? results.detectors : results.triplets;
-      const std::vector<Ranked> ranked = Rank(group, measure, line.cases, *tolerance);
-      VerdictEntry entry{&measure, std::nullopt, std::nullopt};
+      std::vector<Ranked> ranked = Rank(group, measure, line.cases, *tolerance);
+      VerdictEntry entry{&measure, !ranked.empty(), std::nullopt, std::nullopt};
+      if (ranked.empty()) {
+        ranked = Rank(group, measure, line.cases, *tolerance, nullptr, kFewMatches);
+      }
       if (!ranked.empty()) {
         entry.best = ranked[0];
       }

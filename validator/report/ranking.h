@@ -16,6 +16,9 @@ inline constexpr double kVerdictToleranceM = 0.04;
 /// Fewer matches than this within the tolerance are too few to calibrate with (the report, section
 /// on triplets): such a setting is not called best, however high its share.
 inline constexpr double kEnoughMatches = 100.0;
+/// Where none has enough (small images), the best with at least as many as these is told of, with
+/// its count; fewer say nothing.
+inline constexpr double kFewMatches = 10.0;
 
 /// A measure of a group, and whether less of it is better.
 struct Measure {
@@ -37,17 +40,20 @@ struct Ranked {
   double count = 0.0;
 };
 
-/// Settings with a value and enough matches on each of the cases, by their mean over the cases,
-/// best first; equal ones in the order of the results. `accepts` selects settings.
+/// Settings with a value and at least `min_count` matches on each of the cases, by their mean over
+/// the cases, best first; equal ones in the order of the results. `accepts` selects settings.
 std::vector<Ranked> Rank(const SettingGroup& group,
                          const Measure& measure,
                          const std::vector<size_t>& cases,
                          size_t tolerance_idx,
-                         const std::function<bool(const ReportSetting&)>& accepts = nullptr);
+                         const std::function<bool(const ReportSetting&)>& accepts = nullptr,
+                         double min_count = kEnoughMatches);
 
 /// A line of the verdict: the best settings on one case, or over all.
 struct VerdictEntry {
   const Measure* measure = nullptr;
+  /// False: chosen among settings with kFewMatches, as none has kEnoughMatches.
+  bool has_enough = true;
   std::optional<Ranked> best;
   std::optional<Ranked> second;
 };

@@ -52,7 +52,11 @@ std::vector<std::string> ShownSettings(const ResultSet& results) {
     cases.push_back(i);
   }
   Measure measure = {"", "matching_score", "correct_matches", false, false};
-  for (const Ranked& ranked : Rank(results.triplets, measure, cases, *tolerance)) {
+  std::vector<Ranked> best = Rank(results.triplets, measure, cases, *tolerance);
+  if (best.empty()) {
+    best = Rank(results.triplets, measure, cases, *tolerance, nullptr, kFewMatches);
+  }
+  for (const Ranked& ranked : best) {
     const ReportSetting& setting = results.triplets.settings[ranked.setting_idx];
     if (shown.size() < kNumShown && CanBeMeasured(setting.name) &&
         std::find(detectors.begin(), detectors.end(), setting.detector) == detectors.end()) {

@@ -129,5 +129,16 @@ TEST(Verdict, GoesToTheHighestMeanOfThoseWithEnoughMatches) {
   EXPECT_FALSE(verdict[0].entries[0].best.has_value());  // No detectors.
 }
 
+TEST(Verdict, TellsWhenNoneHasEnoughMatches) {
+  const TempFolder folder;
+  WriteFakeResults(folder.Path(),
+                   {{kGeneral, {0.2}, {99}}, {kEasy, {0.3}, {10}}, {kFreak, {0.9}, {9}}});
+  const ResultSet results = ReadResults({folder.Path()});
+  const VerdictEntry entry = Verdict(results).at(0).entries.at(1);
+  EXPECT_FALSE(entry.has_enough);
+  EXPECT_EQ(results.triplets.settings[entry.best->setting_idx].name, kEasy);
+  EXPECT_EQ(entry.best->count, 10);
+}
+
 }  // namespace
 }  // namespace pfseq

@@ -20,10 +20,11 @@ const VERDICT_MEANING = {
 function verdictCell(entry) {
   const cell = h("td", { "data-head": entry.title });
   if (!entry.best) {
-    cell.append(h("span", { class: "of" }, "none with enough matches"));
+    cell.append(h("span", { class: "of" }, "none with matches enough"));
     return cell;
   }
   cell.append(h("span", { class: "value" }, formatValue(entry.metric, entry.best.value)), h("span", null, entry.best.setting));
+  if (!entry.enough) cell.append(h("span", { class: "of" }, `of ${Math.round(entry.best.count)} matches only`));
   if (entry.second) {
     cell.append(h("span", { class: "of" }, `then ${formatValue(entry.metric, entry.second.value)} ${entry.second.setting}`));
   }
@@ -37,18 +38,20 @@ function drawVerdict() {
     return;
   }
   const at = `${+(100 * report.verdict_tolerance_m).toPrecision(3)} cm`;
-  const entry = (metric) => report.verdict[0].entries.find((one) => one.metric === metric)?.best;
+  const entryOf = (metric) => report.verdict[0].entries.find((one) => one.metric === metric);
+  const entry = (metric) => entryOf(metric)?.best;
   const best = entry("matching_score"), detector = entry("repeatability");
   const where = report.cases.length > 1 ? "over all pairs" : `on ${report.cases[0].label}`;
   if (best) {
-    target.append(h("p", { class: "finding" }, h("strong", null, best.setting),
+    const few = entryOf("matching_score").enough ? "" : `No triplet has ${report.enough_matches} correct matches within ${at} on each pair. Of those with fewer, `;
+    target.append(h("p", { class: "finding" }, few, h("strong", null, best.setting),
       ` matches best ${where}: ${(100 * best.value).toFixed(1)} % of its detections are matched correctly within ${at}.`,
       detector ? ` The most repeatable detector is ${detector.setting} with ${(100 * detector.value).toFixed(1)} %.` : ""));
   } else {
-    target.append(h("p", { class: "finding" }, `No triplet has ${report.enough_matches} correct matches within ${at} on each pair.`));
+    target.append(h("p", { class: "finding" }, `No triplet has matches enough to go by within ${at} on each pair.`));
   }
   target.append(h("div", { class: "scroll" }, h("table", { class: "stack" },
-    h("caption", null, `Best settings within ${at}, of those with at least ${report.enough_matches} (correct) matches`),
+    h("caption", null, `Best settings within ${at}, of those with at least ${report.enough_matches} (correct) matches where there are such`),
     h("thead", null, h("tr", null, h("th", { scope: "col" }, ""), report.verdict[0].entries.map((one) =>
       h("th", { scope: "col", title: VERDICT_MEANING[one.metric] }, one.title)))),
     h("tbody", null, report.verdict.map((line) => h("tr", null, h("th", { scope: "row" }, line.label), line.entries.map(verdictCell)))))));
