@@ -93,7 +93,8 @@ done
 "$pfseq" bench one --out bench_3 "${settings[@]}" --resume --quiet >/dev/null
 timeout -s KILL 1 "$pfseq" bench one --out bench_4 "${settings[@]}" --threads 1 --quiet >/dev/null || true
 "$pfseq" bench one --out bench_4 "${settings[@]}" --resume --quiet >/dev/null
-rm bench_?/times.csv
+# Times, and the command with its folder and threads.
+rm bench_?/times.csv bench_?/run.json
 find bench_4 -name '*.partial' -delete
 for i in 2 3 4; do
   expect_same_folders bench_1 bench_$i
