@@ -90,7 +90,7 @@ void PaintPlaster(const WallLook& look, WallCanvas& canvas) {
     const double fine = fractal.At(u, v, canvas.TexelM() * 0.9, look.seed % 89 + 100);
     // Lifts of plaster, one day's work each, differ a little.
     const double lift = fractal.At(0.15 * u, v + 0.2 * broad, 0.02, look.seed % 83 + 30);
-    const double tone = 1.0 + unevenness * broad + (is_coarse ? 0.05 : 0.028) * fine + 0.014 * lift;
+    const double tone = 1.0 + unevenness * broad + (is_coarse ? 0.075 : 0.05) * fine + 0.014 * lift;
     texel.color = Warmed(Scaled(look.color, tone), 0.012 * broad);
     texel.height_m =
         static_cast<float>((is_coarse ? 0.0026 : 0.0011) * fine + 0.0015 * trowel * broad);
@@ -115,7 +115,7 @@ void PaintAshlar(const WallLook& look, WallCanvas& canvas) {
     const double fine = fractal.At(u, v, canvas.TexelM(), look.seed % 89 + 100);
     const double vein = fractal.At(0.35 * u + 40.0 * Draw(stone.key, 3), 1.6 * v, 0.008, 61);
     const double tone =
-        0.90 + 0.16 * Draw(stone.key, 1) + 0.045 * broad + 0.035 * fine + 0.03 * vein;
+        0.90 + 0.18 * Draw(stone.key, 1) + 0.05 * broad + 0.058 * fine + 0.03 * vein;
     const double soft_m = std::max(0.004, 0.6 * canvas.TexelM());
     const double ragged_m = stone.rim_m + 0.002 * fine;
     const double face = Ramp(0.5 * joint_m - 0.5 * soft_m, 0.5 * joint_m + soft_m, ragged_m);
@@ -146,7 +146,7 @@ void PaintConcrete(const WallLook& look, WallCanvas& canvas) {
     const double broad = fractal.At(u, v, 0.03, look.seed % 97);
     const double fine = fractal.At(u, v, canvas.TexelM() * 0.8, look.seed % 89 + 100);
     double tone =
-        0.93 + 0.11 * Draw(panel.key, 1) + 0.055 * broad + (is_washed ? 0.075 : 0.03) * fine;
+        0.93 + 0.11 * Draw(panel.key, 1) + 0.055 * broad + (is_washed ? 0.085 : 0.042) * fine;
     double height_m = (is_washed ? 0.003 : 0.0008) * fine;
     if (has_boards) {
       const Unit board = UnitAt(v, u, 40.0, 0.14, 0.0, HashKey({look.seed, 7}));
@@ -173,7 +173,7 @@ Brickwork::Brickwork(const WallLook& look)
     : color(look.color),
       seed(HashKey({look.seed, 2})),
       bond(static_cast<int>(4.0 * Draw(look.seed, 1))),
-      spread(0.16 + 0.26 * Draw(look.seed, 3)),
+      spread(0.26 + 0.30 * Draw(look.seed, 3)),
       mortar_tone(0.55 + 0.25 * Draw(look.seed, 4)) {}
 
 void Brickwork::Paint(WallTexel& texel, const Vec2d& point_m, double texel_m) const {
