@@ -82,6 +82,19 @@ TEST(ExposurePoses, AreThoseOfTheTrajectory) {
   }
 }
 
+/// Is moved aside and back between multiples of 0.02 s.
+class Shake : public Trajectory {
+ public:
+  RigidTransform WorldFromRig(double time_s) const override {
+    const double phase = time_s / 0.02 - std::round(time_s / 0.02);
+    return PoseFromYaw(Vec3d(std::abs(phase) < 0.01 ? 0.0 : phase, 0.0, 1.0), 0.0);
+  }
+};
+
+TEST(ExposurePoses, AShakeWithinTheExposureIsNoRest) {
+  EXPECT_FALSE(ExposurePoses(Shutter({.exposure_s = 0.04}), Shake(), {}, 1.0).IsStill());
+}
+
 TEST(ExposurePoses, KnowACameraAtRest) {
   const Shutter shutter({.exposure_s = 0.1});
   EXPECT_TRUE(ExposurePoses(shutter, Standing(), {}, 1.0).IsStill());
