@@ -33,7 +33,7 @@ echo "== report"
 cat <<TEXT
 
 Done: set-up and build $((built - started)) s, rendering $((rendered - built)) s, check $((checked - rendered)) s, benchmark $((measured - checked)) s, report $((SECONDS - measured)) s.
-  pictures         $out/sequence/equisolid/front/clean/000000.png and beside it (see README.md, "What is in the folder")
+  pictures         $out/sequence/equisolid/front/realistic/000000.png, clean/ beside it (README.md, "What is in the folder")
   distance maps    $out/sequence/equisolid/front/distance/000000.exr (metres, float32)
   measures         $out/bench/results.csv
   report           $out/report/report.html
