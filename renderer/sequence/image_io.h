@@ -16,7 +16,7 @@ namespace pfseq {
 
 using Bytes = std::vector<std::byte>;
 
-/// Small files, or soon done: a third of the time for a tenth more bytes.
+/// Small files, or soon done: some tenth more bytes.
 enum class PngEffort { kSmall, kFast };
 
 /// PNG of an 8-bit image of 1, 3 or 4 channels.
