@@ -3,8 +3,9 @@
 // triangle has a grid of records (RecordGrid) that needs nothing of the scene but its triangles;
 // two neighbours in a mesh that make up a parallelogram share one. A record belongs to one side of
 // one such face, so that no light leaks round an edge; what it holds depends on the scene and its
-// place alone, so that it is the same whoever asks first. Records that lie within a body, where
-// faces run into each other, are told by what they see and count only where there is no other.
+// place alone, so that it is the same whoever asks first. Records that would lie within a body,
+// where faces run into each other, are told by what they see and moved to where the face shows
+// nearby; if that is nowhere, they count only where there is no other.
 #pragma once
 
 #include "renderer/core/progress.h"
