@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace pfseq {
 namespace {
@@ -70,6 +71,39 @@ uint8_t Quantise(float value) {
   return static_cast<uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
 }
 
+/// Quantise(SrgbFromLinear(value)) by tables: a power for each texel would take longer than all else.
+class SrgbQuantiser {
+ public:
+  SrgbQuantiser() {
+    for (size_t code = 0; code < least_.size(); ++code) {
+      least_[code] = LinearFromSrgb((static_cast<float>(code) - 0.5F) / 255.0F);
+    }
+    least_.back() = std::numeric_limits<float>::infinity();
+    uint8_t code = 0;
+    for (size_t cell = 0; cell < code_of_cell_.size(); ++cell) {
+      while (static_cast<float>(cell) / kCells >= least_[code + size_t{1}]) {
+        ++code;
+      }
+      code_of_cell_[cell] = code;
+    }
+  }
+
+  uint8_t operator()(float linear) const {
+    const float value = std::clamp(linear, 0.0F, 1.0F);
+    uint8_t code = code_of_cell_[static_cast<size_t>(value * kCells)];
+    while (value >= least_[code + size_t{1}]) {
+      ++code;
+    }
+    return code;
+  }
+
+ private:
+  static constexpr int kCells = 4096;
+  /// The least value of each code; beyond the last one there is none.
+  std::array<float, 257> least_{};
+  std::array<uint8_t, kCells + 1> code_of_cell_{};
+};
+
 /// log2 to within 0.09, exact at powers of two, for normal positive numbers.
 float ApproximateLog2(float value) {
   const auto bits = std::bit_cast<uint32_t>(value);
@@ -102,6 +136,7 @@ TextureSet::Pyramid TextureSet::MakePyramid(const Texture& texture) const {
     finer[i] =
         Decode(&texture.texels.Values()[4 * i], pyramid.color_table, linear_from_linear_.data());
   }
+  static const SrgbQuantiser quantise_srgb;
   Level size = pyramid.levels.front();
   while (size.width_px > 1 || size.height_px > 1) {
     const int width_px = std::max(1, size.width_px / 2);
@@ -127,7 +162,7 @@ TextureSet::Pyramid TextureSet::MakePyramid(const Texture& texture) const {
         for (int channel = 0; channel < 4; ++channel) {
           const bool is_encoded = texture.is_srgb && channel < 3;
           texels.At(x, y, channel) =
-              Quantise(is_encoded ? SrgbFromLinear(sum[channel]) : sum[channel]);
+              is_encoded ? quantise_srgb(sum[channel]) : Quantise(sum[channel]);
         }
       }
     }
