@@ -1,47 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "renderer/sequence/sequence_schema.h"
-
-#include "renderer/core/error.h"
-#include "renderer/core/file.h"
-#include "tests/support/expect_error.h"
-#include "tests/support/temp_folder.h"
-
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
+#include "tests/sequence/schema_fixture.h"
 
 namespace pfseq {
 namespace {
 
-const std::filesystem::path kData = std::filesystem::path(PFSEQ_SOURCE_DIR) / "data";
-
-/// The least that a description needs.
-constexpr char kSmall[] =
-    "lenses:\n"
-    "  fish: {circle_px: 90}\n"
-    "rig:\n"
-    "  cameras:\n"
-    "    front: {}\n";
-
-class SequenceSchema : public testing::Test {
- protected:
-  SequenceSpec Read(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    WriteFileAtomically(path_, text);
-    return ReadSequenceSpec(path_, overrides);
-  }
-
-  /// The message, without the folder of the file.
-  std::string ErrorOf(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    const std::string message = MessageOf<InputError>([&] { Read(text, overrides); });
-    const std::string folder = folder_.Path().string() + "/";
-    return message.find(folder) == 0 ? message.substr(folder.size()) : message;
-  }
-
-  TempFolder folder_;
-  std::filesystem::path path_ = folder_.Path() / "demo.yaml";
-};
+class SequenceSchema : public SchemaTest {};
 
 TEST_F(SequenceSchema, FillsInAllDefaults) {
   const SequenceSpec spec = Read(kSmall);
@@ -296,44 +259,6 @@ TEST_F(SequenceSchema, RefusesWrongValuesWithTheirLine) {
             "demo.yaml:6: trajectory.csv: expected either this or tum, got both");
 }
 
-TEST_F(SequenceSchema, RefusesLensesThatCannotBe) {
-  const auto error = [&](const std::string& lens) {
-    return ErrorOf("lenses:\n  fish: {" + lens + "}\nrig: {cameras: {front: {}}}\n");
-  };
-  EXPECT_EQ(error("fov_deg: 100"),
-            "demo.yaml:2: lenses.fish.circle_px: expected circle_px or focal_px, got neither");
-  EXPECT_EQ(error("circle_px: 100, focal_px: 100"),
-            "demo.yaml:2: lenses.fish.focal_px: expected either this or circle_px, got both");
-  EXPECT_EQ(error("circle_px: 100, model: orthographic"),
-            "demo.yaml:2: lenses.fish.fov_deg: expected > 0 and <= 180 degrees for orthographic, "
-            "got 181.8");
-  EXPECT_EQ(
-      error("circle_px: 100, model: perspective, fov_deg: 180"),
-      "demo.yaml:2: lenses.fish.fov_deg: expected > 0 and < 180 degrees for perspective, got 180");
-  EXPECT_EQ(error("circle_px: 100, coefficients: [0, 0, 0, 0]"),
-            "demo.yaml:2: lenses.fish.coefficients: expected only for kannala_brandt, the model is "
-            "equidistant");
-  EXPECT_EQ(error("circle_px: 100, model: fisheye"),
-            "demo.yaml:2: lenses.fish.model: expected one of equidistant, equisolid, "
-            "stereographic, orthographic, "
-            "perspective, kannala_brandt, got fisheye");
-  EXPECT_EQ(error("circl_px: 100"),
-            "demo.yaml:2: lenses.fish.circl_px: unknown key; did you mean circle_px?");
-  // The polynomial with k1 = -0.1 turns at sqrt(10 / 3) radians.
-  EXPECT_EQ(
-      error("circle_px: 100, model: kannala_brandt, coefficients: [-0.1, 0, 0, 0], fov_deg: 210"),
-      "demo.yaml:2: lenses.fish.fov_deg: expected > 0 and <= 209.2146059 degrees for "
-      "kannala_brandt, got 210");
-}
-
-TEST_F(SequenceSchema, TakesModelsUpToTheirLimit) {
-  const auto read = [&](const std::string& lens) {
-    return Read("lenses:\n  fish: {" + lens + "}\nrig: {cameras: {front: {}}}\n").lenses[0].value;
-  };
-  EXPECT_EQ(read("circle_px: 100, model: orthographic, fov_deg: 180").fov_deg, 180.0);
-  EXPECT_EQ(read("circle_px: 100, model: equidistant, fov_deg: 360").fov_deg, 360.0);
-}
-
 TEST_F(SequenceSchema, OverridesReplaceTheAlternativeInTheFile) {
   const std::string text = std::string(kSmall) + "scene: {canyon: {seed: 3}}\n";
   const SequenceSpec spec = Read(text, {"scene.gltf=/a/b.glb", "lenses.fish.focal_px=33"});
@@ -358,108 +283,6 @@ TEST_F(SequenceSchema, ATrajectoryFileGivesItsOwnNumberOfFrames) {
       5);
 }
 
-TEST_F(SequenceSchema, LeavesTheSunToAGltfScene) {
-  EXPECT_EQ(Read(std::string(kSmall) + "scene: {gltf: a.glb}\n").light.sun, std::nullopt);
-  const SequenceSpec spec =
-      Read(std::string(kSmall) + "scene: {gltf: a.glb}\nlight: {sun: {strength: 2}}\n");
-  ASSERT_TRUE(spec.light.sun);
-  EXPECT_EQ(spec.light.sun->strength, 2.0);
-}
-
-/// kSmall with a mapping `light`.
-std::string WithLight(const std::string& light) {
-  return std::string(kSmall) + "light: {" + light + "}\n";
-}
-
-TEST_F(SequenceSchema, TheSunFollowsFromDateAndPlace) {
-  // Sun position algorithm's worked example (NREL TP-560-34302): 39.888 degrees high, 194.340
-  // degrees from north; with north toward +Y that is 255.660 degrees from +X counter-clockwise.
-  const std::string text = WithLight(
-      "sun: {date_time: 2003-10-17T12:30:30-07:00, latitude_deg: 39.742476, longitude_deg: "
-      "-105.1786, strength: 2}");
-  const SequenceSpec spec = Read(text);
-  EXPECT_NEAR(spec.light.sun->elevation_deg, 39.888, 0.01);
-  EXPECT_NEAR(spec.light.sun->azimuth_deg + 360.0, 255.660, 0.01);
-  EXPECT_EQ(spec.light.sun->strength, 2.0);
-  EXPECT_NEAR(Read(text, {"light.sun.north_deg=100"}).light.sun->azimuth_deg,
-              spec.light.sun->azimuth_deg + 10.0,
-              1e-9);
-  // The canonical form has the date and not the angles.
-  const std::string canonical = CanonicalYaml(spec);
-  EXPECT_NE(canonical.find("date_time: "), std::string::npos) << canonical;
-  EXPECT_EQ(canonical.find("elevation_deg"), std::string::npos) << canonical;
-  EXPECT_EQ(Read(canonical), spec);
-  EXPECT_EQ(CanonicalYaml(Read(canonical)), canonical);
-}
-
-TEST_F(SequenceSchema, AnglesReplaceADateAndTheOtherWayRound) {
-  const SequenceSpec by_angle =
-      Read(WithLight("sun: {date_time: 2014-06-21T15:30:00+02:00, latitude_deg: 40}"),
-           {"light.sun.elevation_deg=30"});
-  EXPECT_EQ(by_angle.light.sun, SunSpec{.elevation_deg = 30.0});
-  const SequenceSpec by_date = Read(WithLight("sun: {elevation_deg: 30, azimuth_deg: 20}"),
-                                    {"light.sun.date_time=2014-06-21T15:30:00+02:00"});
-  EXPECT_NEAR(by_date.light.sun->elevation_deg, 58.1, 0.5);
-}
-
-TEST_F(SequenceSchema, RefusesDatesThatGiveNoSun) {
-  EXPECT_EQ(ErrorOf(WithLight("sun: {date_time: 2014-06-21T15:30:00+02:00, elevation_deg: 3}")),
-            "demo.yaml:6: light.sun.elevation_deg: expected either this or date_time, got both");
-  EXPECT_EQ(ErrorOf(WithLight("sun: {azimuth_deg: 3, north_deg: 30}")),
-            "demo.yaml:6: light.sun.north_deg: expected either this or azimuth_deg, got both");
-  EXPECT_EQ(ErrorOf(WithLight("sun: {latitude_deg: 3}")),
-            "demo.yaml:6: light.sun.latitude_deg: expected only with date_time, got none");
-  EXPECT_EQ(ErrorOf(WithLight("sun: {date_time: 2014-02-30T12:00Z}")),
-            "demo.yaml:6: light.sun.date_time: expected a date from 1900 to 2099 and a time with "
-            "its offset from UTC, such as 2014-06-21T15:30:00+02:00, got 2014-02-30T12:00Z");
-  const std::string night = ErrorOf(WithLight("sun: {date_time: 2014-06-21T23:59:00+02:00}"));
-  EXPECT_EQ(night.find("demo.yaml:6: light.sun.date_time: expected a time when the sun is up; at "
-                       "2014-06-21T23:59:00+02:00 it stands at -13.4 degrees"),
-            0U)
-      << night;
-}
-
-TEST_F(SequenceSchema, AMapIsASkyWithItsOwnSun) {
-  const SequenceSpec spec = Read(WithLight("sky: {map: sky/a.exr, map_rotation_deg: 30}"));
-  EXPECT_EQ(spec.light.sky.model, "map");
-  EXPECT_EQ(spec.light.sky.map, (folder_.Path() / "sky/a.exr").string());
-  EXPECT_EQ(spec.light.sun, std::nullopt);
-  EXPECT_EQ(Read(CanonicalYaml(spec)), spec);
-}
-
-TEST_F(SequenceSchema, OverridesExchangeMapAndSun) {
-  const SequenceSpec with_map =
-      ReadSequenceSpec(kData / "sequences" / "pfseq.yaml", {"light.sky.map=/a/b.hdr"});
-  EXPECT_EQ(with_map.light.sky.model, "map");
-  EXPECT_EQ(with_map.light.sun, std::nullopt);
-  EXPECT_EQ(Read(CanonicalYaml(with_map)), with_map);
-  const SequenceSpec without =
-      Read(WithLight("sky: {model: map, map: a.exr}"), {"light.sky.model=clear"});
-  EXPECT_EQ(without.light.sky.map, "");
-  EXPECT_EQ(without.light.sun, SunSpec{});
-}
-
-TEST_F(SequenceSchema, RefusesMapsThatDoNotFit) {
-  EXPECT_EQ(ErrorOf(WithLight("sun: {}, sky: {map: a.exr}")),
-            "demo.yaml:6: light.sun: expected none with a sky map, which brings its own sun");
-  EXPECT_EQ(ErrorOf(WithLight("sky: {map: a.exr}"), {"light.sun.strength=0"}),
-            "--set light.sun.strength=0: light.sun: expected none with a sky map, which brings its "
-            "own sun");
-  EXPECT_EQ(ErrorOf(WithLight("sky: {model: clear, map: a.exr}")),
-            "demo.yaml:6: light.sky.map: expected only with model: map, the model is clear");
-  EXPECT_EQ(ErrorOf(WithLight("sky: {model: map}")),
-            "demo.yaml:6: light.sky.map: expected the path of a file with model: map, got none");
-}
-
-TEST_F(SequenceSchema, TheExposureIsANumberOrAutomatic) {
-  EXPECT_EQ(Read(kSmall).sensor.exposure, std::nullopt);
-  EXPECT_EQ(Read(kSmall, {"sensor.exposure=auto"}).sensor.exposure, std::nullopt);
-  EXPECT_EQ(Read(kSmall, {"sensor.exposure=0.5"}).sensor.exposure, 0.5);
-  EXPECT_NE(CanonicalYaml(Read(kSmall)).find("\n  exposure: auto\n"), std::string::npos);
-  EXPECT_EQ(ErrorOf(kSmall, {"sensor.exposure=0"}),
-            "--set sensor.exposure=0: expected a number > 0 and <= 1000000000, got 0");
-}
-
 TEST_F(SequenceSchema, AcceptsAnotherVersionsFile) {
   EXPECT_EQ(Read("pfseq_version: 99.0.0\n" + std::string(kSmall)), Read(kSmall));
 }
@@ -480,76 +303,6 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   EXPECT_EQ(spec.sensor, SensorSpec{});
   EXPECT_EQ(spec.ground_truth, GroundTruthSpec{});
   EXPECT_TRUE(spec.IsRealistic());
-}
-
-TEST_F(SequenceSchema, OpticsAndLensesMayBeFilesOfTheirOwn) {
-  WriteFileAtomically(folder_ / "my.yaml", std::string_view("blur: {center_sigma_px: 1.5}\n"));
-  WriteFileAtomically(folder_ / "lens.yaml", std::string_view("circle_px: 77\n"));
-  const std::string text = std::string(kSmall) + "optics: my.yaml\n";
-  EXPECT_EQ(Read(text).optics.blur.center_sigma_px, 1.5);
-  // Its keys may be changed one by one, and all of it at once.
-  const SequenceSpec changed = Read(text, {"optics.defocus_px=3"});
-  EXPECT_EQ(changed.optics.blur.center_sigma_px, 1.5);
-  EXPECT_EQ(changed.optics.defocus_px, 3.0);
-  const std::string strong = (kData / "optics" / "strong.yaml").string();
-  const SequenceSpec other =
-      Read(text, {"optics=" + strong, "lenses.fish=" + (folder_ / "lens.yaml").string()});
-  EXPECT_EQ(other.optics.blur.center_sigma_px, 0.8);
-  EXPECT_EQ(other.lenses[0].value.circle_px, 77.0);
-  // The description written with the frames needs no other file.
-  EXPECT_EQ(Read(CanonicalYaml(other)), other);
-  EXPECT_NE(ErrorOf(text, {"optics=nowhere.yaml"}).find("nowhere.yaml"), std::string::npos);
-  WriteFileAtomically(folder_ / "my.yaml", std::string_view("blur: {centre_px: 1}\n"));
-  EXPECT_EQ(ErrorOf(text).find("my.yaml:1: optics.blur.centre_px: "), 0U) << ErrorOf(text);
-}
-
-TEST_F(SequenceSchema, EachShippedOpticsTurnsOnItsOwnEffect) {
-  const auto read = [&](const std::string& name) {
-    return Read(kSmall, {"optics=" + (kData / "optics" / (name + ".yaml")).string()}).optics;
-  };
-  EXPECT_FALSE(read("off").IsOn());
-  for (const std::string name : {"lateral_color", "axial_color", "dispersion", "blur", "defocus"}) {
-    const OpticsSpec optics = read(name);
-    EXPECT_TRUE(optics.HasPointSpread()) << name;
-    EXPECT_FALSE(optics.HasFalloff() || optics.HasGlare() || optics.HasFlare()) << name;
-  }
-  for (const std::string name : {"vignetting", "rim", "glare", "sun_star", "ghosts"}) {
-    const OpticsSpec optics = read(name);
-    EXPECT_EQ(optics.HasFalloff() + optics.HasGlare() + optics.HasFlare(), 1) << name;
-    EXPECT_FALSE(optics.HasPointSpread()) << name;
-  }
-  for (const std::string name : {"pfseq", "strong"}) {
-    const OpticsSpec optics = read(name);
-    EXPECT_TRUE(optics.HasPointSpread() && optics.HasFalloff() && optics.HasGlare() &&
-                optics.HasFlare())
-        << name;
-  }
-}
-
-TEST_F(SequenceSchema, RefusesCamerasThatCannotBe) {
-  EXPECT_EQ(ErrorOf(kSmall, {"sensor.bits=12"}), "--set sensor.bits=12: expected 8 or 16, got 12");
-  EXPECT_NE(ErrorOf(kSmall, {"sensor.bits=16", "sensor.jpeg_quality=90"}).find("JPEG has 8"),
-            std::string::npos);
-  EXPECT_NE(ErrorOf(kSmall, {"sensor.read_noise_electrons=2"}).find("without white_electrons"),
-            std::string::npos);
-  EXPECT_NE(ErrorOf(kSmall, {"optics.aperture_blades=0", "optics.sun_star.strength=0.1"})
-                .find("expected at least 2 for a sun star, got 0"),
-            std::string::npos);
-  EXPECT_EQ(ErrorOf(kSmall, {"shutter.readout=sideways"})
-                .find("--set shutter.readout=sideways: expected "),
-            0U);
-}
-
-TEST_F(SequenceSchema, ReadsLensFiles) {
-  const SequenceSpec spec = ReadSequenceSpec(kData / "sequences" / "pfseq.yaml");
-  EXPECT_EQ(ReadLensSpec(kData / "lenses" / "pfseq-equidistant.yaml"), spec.lenses[0].value);
-  EXPECT_EQ(ReadLensSpec(kData / "lenses" / "pfseq-equisolid.yaml"), spec.lenses[1].value);
-  for (const std::string name : {"tum-vi-fisheye.yaml", "realsense-t265.yaml"}) {
-    EXPECT_EQ(ReadLensSpec(kData / "lenses" / name).model, "kannala_brandt") << name;
-  }
-  WriteFileAtomically(path_, std::string_view("model: equisolid\nfov_deg: 0\ncircle_px: 10\n"));
-  EXPECT_EQ(MessageOf<InputError>([&] { ReadLensSpec(path_); }),
-            path_.string() + ":2: fov_deg: expected a number > 0 and <= 360, got 0");
 }
 
 TEST_F(SequenceSchema, TellsSequencesFromLenses) {
