@@ -40,8 +40,10 @@ TEST(SpreadKernel, AGaussianHasItsPlaceWidthAndLight) {
     const Moments moments = MomentsOf(kernel, channel);
     EXPECT_NEAR(moments.sum, channel == 0 ? 0.5 : channel == 1 ? 1.0 : 2.0, 1e-3);
     EXPECT_LT((moments.mean_px - offset_px).norm(), 0.002);
-    // The pixel is a box of 1 px; cells are a quarter of it.
-    EXPECT_NEAR(moments.variance_x_px2, 1.1 * 1.1 + 1.0 / 12.0 + 1.0 / (12.0 * 16.0), 0.005);
+    // The pixel is a box of 1 px, a cell one of half a pixel.
+    constexpr double kCell_px = 1.0 / CellFilm::kCells;
+    const double expected_px2 = 1.1 * 1.1 + 1.0 / 12.0 + kCell_px * kCell_px / 12.0;
+    EXPECT_NEAR(moments.variance_x_px2, expected_px2, 0.002);
   }
 }
 
