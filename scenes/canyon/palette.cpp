@@ -2,9 +2,9 @@
 #include "scenes/canyon/palette.h"
 
 #include "renderer/core/check.h"
+#include "renderer/trace/color.h"
 #include "scenes/canyon/canyon_textures.h"
 
-#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -15,18 +15,12 @@
 namespace pfseq {
 namespace {
 
-/// IEC 61966-2-1, the sRGB transfer function.
-float LinearFromSrgb(uint32_t byte) {
-  const double value = byte / 255.0;
-  return static_cast<float>(value <= 0.04045 ? value / 12.92
-                                             : std::pow((value + 0.055) / 1.055, 2.4));
-}
-
 /// 0xRRGGBB.
 Rgb ColorOf(uint32_t hex) {
-  return {LinearFromSrgb(hex >> 16 & 0xFF),
-          LinearFromSrgb(hex >> 8 & 0xFF),
-          LinearFromSrgb(hex & 0xFF)};
+  const auto linear = [&](int shift) {
+    return LinearFromSrgb(static_cast<float>(hex >> shift & 0xFF) / 255.0F);
+  };
+  return {linear(16), linear(8), linear(0)};
 }
 
 /// Textures of a surface in the scene.

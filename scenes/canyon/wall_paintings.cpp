@@ -3,8 +3,8 @@
 
 #include "renderer/core/check.h"
 #include "renderer/core/parallel.h"
+#include "renderer/trace/color.h"
 
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -12,16 +12,6 @@
 
 namespace pfseq {
 namespace {
-
-/// IEC 61966-2-1.
-double LinearFromSrgb(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
-float SrgbFromLinear(double value) {
-  return static_cast<float>(value <= 0.0031308 ? 12.92 * value
-                                               : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055);
-}
 
 /// Mean of a material's colour times its texture, sRGB-encoded.
 Rgb MeanColor(const Material& material, const std::vector<Texture>& textures) {
@@ -35,7 +25,7 @@ Rgb MeanColor(const Material& material, const std::vector<Texture>& textures) {
     for (int y = 0; y < texels.HeightPx(); y += 5) {
       for (int x = 0; x < texels.WidthPx(); x += 7, ++count) {
         for (int channel = 0; channel < 3; ++channel) {
-          mean[channel] += LinearFromSrgb(texels.At(x, y, channel) / 255.0);
+          mean[channel] += LinearFromSrgb(static_cast<float>(texels.At(x, y, channel)) / 255.0F);
         }
       }
     }
@@ -43,7 +33,7 @@ Rgb MeanColor(const Material& material, const std::vector<Texture>& textures) {
   }
   Rgb color;
   for (int channel = 0; channel < 3; ++channel) {
-    color[channel] = SrgbFromLinear(mean[channel] * material.base_color[channel]);
+    color[channel] = SrgbFromLinear(static_cast<float>(mean[channel]) * material.base_color[channel]);
   }
   return color;
 }
