@@ -208,7 +208,7 @@ void Run(const std::string& path, const std::vector<std::string>& overrides) {
     RenderCachedRadiance(light.Tracer(), raster, view, sampling, 1, nullptr, {});
   };
   // The light of all surfaces that these samples meet is there before anything is measured.
-  light.Prepare({{&raster, view}}, NumHardwareThreads(), true);
+  light.Prepare({{&raster, view}}, sampling, NumHardwareThreads(), true);
   render();
   Compare(lenses.front().name + " frame, stored light", render);
   for (const int max_bounces : {1, 3}) {

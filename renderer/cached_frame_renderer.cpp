@@ -38,6 +38,39 @@ struct SampleTarget {
   CellFilm::Cell* cell = nullptr;
 };
 
+/// Samples of each pixel by which the records are found that a view looks up.
+constexpr int kMarkingSamples = 2;
+
+/// Collects samples until a packet is full, then marks the records that they look up.
+class PacketMarker {
+ public:
+  explicit PacketMarker(const CachedLightTracer& tracer) : tracer_(tracer) {}
+
+  void Add(const CameraRay& ray, const PixelSampler& sampler, const SampleTarget&) {
+    const auto lane = static_cast<size_t>(count_);
+    packet_.rays.Set(count_, ray.origin_m, ray.direction);
+    packet_.footprints[lane] = ray.footprint;
+    packet_.samplers[lane] = sampler;
+    if (++count_ == kPacketSize) {
+      Flush();
+    }
+  }
+
+  void Flush() {
+    tracer_.WantRecords(packet_, missing_);
+    packet_.rays.active = 0;
+    count_ = 0;
+  }
+
+  const std::vector<LightStore::RecordId>& Missing() const { return missing_; }
+
+ private:
+  const CachedLightTracer& tracer_;
+  CameraPacket packet_;
+  int count_ = 0;
+  std::vector<LightStore::RecordId> missing_;
+};
+
 /// Collects samples until a packet is full, then traces it and adds the results to their pixels.
 class PacketBuilder {
  public:
@@ -87,13 +120,11 @@ class PacketBuilder {
 /// Renders pixels of a view into their sums.
 class ViewSampler {
  public:
-  ViewSampler(const CachedLightTracer& tracer,
-              const LensRaster& raster,
+  ViewSampler(const LensRaster& raster,
               const View& view,
               const PixelSampling& sampling,
               CellFilm* film)
-      : tracer_(tracer),
-        raster_(raster),
+      : raster_(raster),
         view_(view),
         film_(film),
         exposure_(view.exposure != nullptr && !view.exposure->IsStill() ? view.exposure : nullptr),
@@ -106,7 +137,8 @@ class ViewSampler {
   PixelSums& SumsOf(int x, int y) { return sums_[Index(x, y)]; }
 
   /// Adds samples to a pixel up to the given number.
-  void SampleUpTo(int num_samples, int x, int y, PacketBuilder& builder) {
+  template <typename Builder>
+  void SampleUpTo(int num_samples, int x, int y, Builder& builder) {
     PixelSums& sums = SumsOf(x, y);
     const int first = sums.num_samples;
     sums.num_samples = num_samples;
@@ -183,7 +215,6 @@ class ViewSampler {
     return static_cast<size_t>(y) * static_cast<size_t>(view_.width_px) + static_cast<size_t>(x);
   }
 
-  const CachedLightTracer& tracer_;
   const LensRaster& raster_;
   const View& view_;
   CellFilm* film_;
@@ -227,7 +258,7 @@ Image<float> RenderCachedRadiance(const CachedLightTracer& tracer,
                                   Progress* progress,
                                   const std::function<std::string(int x, int y)>& describe_pixel,
                                   CellFilm* film) {
-  ViewSampler sampler(tracer, raster, view, sampling, film);
+  ViewSampler sampler(raster, view, sampling, film);
   const auto for_each_pixel = [&](const auto& num_samples_at) {
     ForEachTile(view, num_threads, [&](const Tile& tile) {
       PixelContext context(describe_pixel);
@@ -283,34 +314,21 @@ Image<float> RenderCachedRadiance(const CachedLightTracer& tracer,
 std::vector<LightStore::RecordId> WantedRecords(const CachedLightTracer& tracer,
                                                 const LensRaster& raster,
                                                 const View& view,
+                                                const PixelSampling& sampling,
                                                 int num_threads) {
+  ViewSampler sampler(raster, view, sampling, nullptr);
   std::vector<LightStore::RecordId> all;
   std::mutex mutex;
-  const Eigen::Matrix3d rotation = view.world_from_camera.rotation.toRotationMatrix();
-  const Vec3f origin_m = view.world_from_camera.translation_m.cast<float>();
   ForEachTile(view, num_threads, [&](const Tile& tile) {
-    std::vector<LightStore::RecordId> missing;
-    RayPacket packet;
-    int count = 0;
-    const auto flush = [&] {
-      tracer.WantRecords(packet, missing);
-      packet.active = 0;
-      count = 0;
-    };
+    PacketMarker marker(tracer);
     for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0 + y % 2; x < tile.x1; x += 2) {
-        const std::optional<Vec3d> direction = raster.CentreDirection(x, y);
-        if (direction.has_value()) {
-          packet.Set(count, origin_m, Vec3d(rotation * *direction).cast<float>());
-          if (++count == kPacketSize) {
-            flush();
-          }
-        }
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        sampler.SampleUpTo(kMarkingSamples, x, y, marker);
       }
     }
-    flush();
+    marker.Flush();
     const std::lock_guard lock(mutex);
-    all.insert(all.end(), missing.begin(), missing.end());
+    all.insert(all.end(), marker.Missing().begin(), marker.Missing().end());
   });
   return all;
 }

@@ -42,11 +42,12 @@ Image<float> RenderCachedRadiance(const CachedLightTracer& tracer,
                                   const std::function<std::string(int x, int y)>& describe_pixel,
                                   CellFilm* film = nullptr);
 
-/// The records that the view looks up and nobody has wanted before, found with a ray through each
-/// second pixel.
+/// The records that the view looks up and nobody has wanted before, as far as the first sample of
+/// each pixel finds them.
 std::vector<LightStore::RecordId> WantedRecords(const CachedLightTracer& tracer,
                                                 const LensRaster& raster,
                                                 const View& view,
+                                                const PixelSampling& sampling,
                                                 int num_threads);
 
 }  // namespace pfseq

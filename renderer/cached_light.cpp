@@ -19,7 +19,7 @@ namespace pfseq {
 namespace {
 
 /// Changes whenever the same input would give other records.
-constexpr std::string_view kFormat = "pfseq light 4";
+constexpr std::string_view kFormat = "pfseq light 5";
 
 /// Records near the cameras are this far apart in a street, and this share of the scene's size in
 /// a small one.
@@ -169,11 +169,14 @@ void CachedLight::Load() {
   }
 }
 
-void CachedLight::Prepare(const std::vector<RasterView>& views, int num_threads, bool quiet) {
+void CachedLight::Prepare(const std::vector<RasterView>& views,
+                          const PixelSampling& sampling,
+                          int num_threads,
+                          bool quiet) {
   std::vector<LightStore::RecordId> missing;
   for (const RasterView& item : views) {
     const std::vector<LightStore::RecordId> wanted =
-        WantedRecords(tracer_, *item.raster, item.view, num_threads);
+        WantedRecords(tracer_, *item.raster, item.view, sampling, num_threads);
     missing.insert(missing.end(), wanted.begin(), wanted.end());
   }
   if (missing.empty()) {
@@ -181,8 +184,8 @@ void CachedLight::Prepare(const std::vector<RasterView>& views, int num_threads,
   }
   // Neighbours together, whoever marked them first.
   std::sort(missing.begin(), missing.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.face_idx, a.is_front, a.record_idx) <
-           std::tie(b.face_idx, b.is_front, b.record_idx);
+    return std::tie(a.face_idx, a.detail, a.is_front, a.record_idx) <
+           std::tie(b.face_idx, b.detail, b.is_front, b.record_idx);
   });
   Progress progress("light", missing.size(), quiet);
   constexpr size_t kBatch = 16384;

@@ -50,7 +50,10 @@ class CachedLight {
               const LightCacheOptions& options);
 
   /// Computes what the views look up and keeps it on disk.
-  void Prepare(const std::vector<RasterView>& views, int num_threads, bool quiet);
+  void Prepare(const std::vector<RasterView>& views,
+               const PixelSampling& sampling,
+               int num_threads,
+               bool quiet);
 
   /// Keeps on disk what was computed since the last time.
   void Save();

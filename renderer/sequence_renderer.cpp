@@ -171,7 +171,7 @@ RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& gi
       const std::vector<RasterView> lit = renderer.LitViews(record, outputs);
       views.insert(views.end(), lit.begin(), lit.end());
     }
-    studio.Light().Prepare(views, options.num_threads, options.quiet);
+    studio.Light().Prepare(views, studio.Sampling(), options.num_threads, options.quiet);
   }
   const double frames_start_s = CpuSeconds();
   // Without colour each record is one step; with colour the pixels are what takes the time.

@@ -110,10 +110,11 @@ Rgb8 CachedLightTracer::ReflectedLight(const std::array<ShadingPoint, kPacketSiz
                                        Mask8 is_traced,
                                        int vertex_idx,
                                        CameraPacket& packet) const {
+  const LightDetail detail = vertex_idx == 0 ? LightDetail::kSeen : LightDetail::kReflected;
   std::array<VectorIrradiance, kPacketSize> records;
   for (uint32_t lanes = active; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<size_t>(std::countr_zero(lanes));
-    records[lane] = store_.Lookup(points[lane]);
+    records[lane] = store_.Lookup(points[lane], detail);
   }
   const LightPacket stored(records);
   const Rgb8 irradiance = TiltedIrradiance(stored, surface);
@@ -157,18 +158,35 @@ Rgb8 CachedLightTracer::SunLight(const ScatterPacket& surface,
   return Select(Mask8::FromBits(sunlit), value * Broadcast(sun_irradiance_), Rgb8{});
 }
 
+uint32_t CachedLightTracer::MirroringLanes(const ScatterPacket& surface) {
+  const Float8 diffuse = Luminance(surface.DiffuseReflectance());
+  const Float8 specular = Luminance(surface.SpecularReflectance());
+  return (surface.is_specular & ((surface.roughness < kTracedRoughness) |
+                                 (specular > kTracedShare * (diffuse + specular))))
+      .Bits();
+}
+
+CachedLightTracer::MirroredRays CachedLightTracer::FollowMirrors(const ScatterPacket& surface,
+                                                                 uint32_t mirroring,
+                                                                 CameraPacket& packet) const {
+  const Draws draws = Draw2D(mirroring, 0, 0, packet);
+  MirroredRays mirrored;
+  mirrored.sample = surface.SampleSpecular(draws.first, draws.second);
+  mirrored.rays = MakeRayPacket(
+      surface.RayOriginM(), mirrored.sample.to_light, mirroring & mirrored.sample.is_valid.Bits());
+  if (mirrored.rays.active != 0) {
+    rays_.Intersect(mirrored.rays, Coherence::kCoherent, mirrored.hits);
+  }
+  return mirrored;
+}
+
 Rgb8 CachedLightTracer::MirroredLight(const ScatterPacket& surface,
                                       uint32_t mirroring,
                                       CameraPacket& packet) const {
-  const Draws draws = Draw2D(mirroring, 0, 0, packet);
-  const ScatterPacket::SpecularSample sample = surface.SampleSpecular(draws.first, draws.second);
-  const RayPacket rays =
-      MakeRayPacket(surface.RayOriginM(), sample.to_light, mirroring & sample.is_valid.Bits());
+  const auto [sample, rays, hits] = FollowMirrors(surface, mirroring, packet);
   if (rays.active == 0) {
     return {};
   }
-  HitPacket hits;
-  rays_.Intersect(rays, Coherence::kCoherent, hits);
   const std::array<float, kPacketSize> roughness = surface.roughness.Values();
   const std::array<float, kPacketSize> sun_weights =
       Select(surface.roughness < kNarrowRoughness, PowerHeuristic(sample.pdf, sun_pdf_), 0.0F)
@@ -226,12 +244,9 @@ void CachedLightTracer::Radiance(CameraPacket& packet,
   const ScatterPacket surface(points, hits.hit, packet.rays);
   Rgb8 light = surface.emission;
   if (max_bounces_ >= 1) {
-    const Float8 diffuse = Luminance(surface.DiffuseReflectance());
-    const Float8 specular = Luminance(surface.SpecularReflectance());
-    const Mask8 mirrors = surface.is_specular & ((surface.roughness < kTracedRoughness) |
-                                                 (specular > kTracedShare * (diffuse + specular)));
-    light = light + ReflectedLight(points, surface, hits.hit, mirrors, 0, packet);
-    const uint32_t mirroring = mirrors.Bits() & hits.hit;
+    const uint32_t mirroring = MirroringLanes(surface) & hits.hit;
+    light =
+        light + ReflectedLight(points, surface, hits.hit, Mask8::FromBits(mirroring), 0, packet);
     if (mirroring != 0) {
       light = light + MirroredLight(surface, mirroring, packet);
     }
@@ -243,14 +258,35 @@ void CachedLightTracer::Radiance(CameraPacket& packet,
   }
 }
 
-void CachedLightTracer::WantRecords(const RayPacket& rays,
+void CachedLightTracer::WantRecords(CameraPacket& packet,
                                     std::vector<LightStore::RecordId>& missing) const {
+  if (max_bounces_ < 1) {
+    return;
+  }
   HitPacket hits;
-  rays_.Intersect(rays, Coherence::kCoherent, hits);
-  for (int i = 0; i < kPacketSize; ++i) {
-    if (hits.IsHit(i)) {
-      store_.Want(surfaces_.Locate(hits.Of(i), rays.Direction(i)), missing);
-    }
+  rays_.Intersect(packet.rays, Coherence::kCoherent, hits);
+  if (hits.hit == 0) {
+    return;
+  }
+  std::array<ShadingPoint, kPacketSize> points;
+  for (uint32_t lanes = hits.hit; lanes != 0; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const auto lane = static_cast<size_t>(i);
+    points[lane] = surfaces_.Shade(
+        hits.Of(i), packet.rays.Origin(i), packet.rays.Direction(i), packet.footprints[lane]);
+    store_.Want(points[lane], LightDetail::kSeen, missing);
+  }
+  const ScatterPacket surface(points, hits.hit, packet.rays);
+  const uint32_t mirroring = MirroringLanes(surface) & hits.hit;
+  if (mirroring == 0 || max_bounces_ < 2) {
+    return;
+  }
+  const MirroredRays mirrored = FollowMirrors(surface, mirroring, packet);
+  for (uint32_t lanes = mirrored.rays.active & mirrored.hits.hit; lanes != 0; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    store_.Want(surfaces_.Locate(mirrored.hits.Of(i), mirrored.rays.Direction(i)),
+                LightDetail::kReflected,
+                missing);
   }
 }
 

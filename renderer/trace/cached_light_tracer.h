@@ -42,9 +42,8 @@ class CachedLightTracer {
   /// they are.
   void Radiance(CameraPacket& packet, std::array<Rgb, kPacketSize>& radiance) const;
 
-  /// Appends the records that Radiance would look up at the first surfaces and nobody has wanted
-  /// before.
-  void WantRecords(const RayPacket& rays, std::vector<LightStore::RecordId>& missing) const;
+  /// Appends the records that Radiance would look up and nobody has wanted before.
+  void WantRecords(CameraPacket& packet, std::vector<LightStore::RecordId>& missing) const;
 
  private:
   /// Of sky and sun, the sun's times a weight.
@@ -61,6 +60,17 @@ class CachedLightTracer {
                 uint32_t active,
                 int vertex_idx,
                 CameraPacket& packet) const;
+  /// The lanes whose specular lobe is traced.
+  static uint32_t MirroringLanes(const ScatterPacket& surface);
+  /// Rays of specular lobes and what they meet.
+  struct MirroredRays {
+    ScatterPacket::SpecularSample sample;
+    RayPacket rays;
+    HitPacket hits;
+  };
+  MirroredRays FollowMirrors(const ScatterPacket& surface,
+                             uint32_t mirroring,
+                             CameraPacket& packet) const;
   /// What the specular lobes reflect, by a ray each.
   Rgb8 MirroredLight(const ScatterPacket& surface, uint32_t mirroring, CameraPacket& packet) const;
 

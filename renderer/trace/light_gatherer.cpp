@@ -340,10 +340,10 @@ float LightGatherer::ShareFromBehind(const Vec3f& origin_m,
   return static_cast<float>(num_from_behind) / (kStrata * kStrata);
 }
 
-GatheredLight LightGatherer::Gather(const Vec3f& origin_m,
-                                    const Vec3f& normal,
-                                    uint64_t key,
-                                    int rays_across) const {
+GatheredLight LightGatherer::GatherBy(int rays_across,
+                                      const Vec3f& origin_m,
+                                      const Vec3f& normal,
+                                      uint64_t key) const {
   const Frame frame(normal);
   const int n = rays_across;
   // What the footprint of one ray is at unit distance.

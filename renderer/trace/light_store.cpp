@@ -7,23 +7,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <span>
-
-#include <immintrin.h>
 
 namespace pfseq {
 namespace {
 
 /// Records stay this share of the spacing off the faces' edges.
 constexpr float kInsetShareOfSpacing = 0.04F;
-
-/// States of a record, in the fourth half of its first group.
-constexpr uint16_t kEmpty = 0;
-constexpr uint16_t kWanted = 1;
-constexpr uint16_t kReady = 2;
-constexpr size_t kStateIdx = 3;
-constexpr size_t kBuriedIdx = 7;
 
 /// What a buried record counts for beside others.
 constexpr float kBuriedWeight = 1e-4F;
@@ -42,59 +31,9 @@ Vec2f PlaceInCell(int i) {
                         static_cast<float>(2.0 * (v - std::floor(v)) - 1.0));
 }
 
-uint16_t State(const std::array<uint16_t, 12>& halves) {
-  return std::atomic_ref<uint16_t>(const_cast<uint16_t&>(halves[kStateIdx]))
-      .load(std::memory_order_acquire);
-}
-
-Eigen::Array4f FloatsFromHalves(const uint16_t* halves) {
-  const __m128i bits = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(halves));
-  Eigen::Array4f values;
-  _mm_storeu_ps(values.data(), _mm_cvtph_ps(bits));
-  return values;
-}
-
-void HalvesFromFloats(const Eigen::Array4f& values, uint16_t* halves) {
-  constexpr float kLargestHalf = 65504.0F;
-  const Eigen::Array4f clamped = values.max(-kLargestHalf).min(kLargestHalf);
-  const __m128i bits =
-      _mm_cvtps_ph(_mm_loadu_ps(clamped.data()), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
-  std::memcpy(halves, &bits, 4 * sizeof(uint16_t));
-}
-
 bool IsDark(const VectorIrradiance& light) {
   return (light.x.abs() + light.y.abs() + light.z.abs()).maxCoeff() <= 0.0F;
 }
-
-template <typename T>
-void Append(const T& value, std::string& bytes) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
-}
-
-/// Takes values off the front of a text of bytes.
-class ByteReader {
- public:
-  explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
-  template <typename T>
-  bool Take(T& value) {
-    if (bytes_.size() < sizeof(T)) {
-      return false;
-    }
-    std::memcpy(&value, bytes_.data(), sizeof(T));
-    bytes_.remove_prefix(sizeof(T));
-    return true;
-  }
-  bool IsAtEnd() const { return bytes_.empty(); }
-
- private:
-  std::string_view bytes_;
-};
-
-/// How a page lies in the serialised store.
-struct PageHeader {
-  uint32_t face_idx = 0;
-  uint32_t page_idx = 0;
-};
 
 }  // namespace
 
@@ -104,7 +43,7 @@ LightStore::LightStore(const SurfaceTable& surfaces,
     : surfaces_(surfaces),
       gatherer_(gatherer),
       options_(options),
-      faces_(surfaces.NumTriangles()),
+      faces_(2 * surfaces.NumTriangles()),
       is_second_(surfaces.NumTriangles(), 0) {
   FindParallelograms();
 }
@@ -136,29 +75,30 @@ float LightStore::SpacingAt(const Vec3f& centre_m, float size_m) const {
   return std::max(options_.spacing_m, options_.spacing_by_distance * (nearest_m - 0.6F * size_m));
 }
 
-std::unique_ptr<LightStore::Face> LightStore::MakeFace(uint32_t face_idx) const {
+std::unique_ptr<LightStore::Face> LightStore::MakeFace(uint32_t face_idx,
+                                                       LightDetail detail) const {
   const auto [mesh_idx, in_mesh] = surfaces_.MeshAndTriangle(face_idx);
   const Mesh& mesh = surfaces_.PlainScene().meshes[mesh_idx];
   std::optional<std::array<uint8_t, 2>> apexes;
   if (face_idx + 1 < is_second_.size() && is_second_[face_idx + 1] != 0) {
     apexes = ParallelogramApexes(mesh, mesh.triangles[in_mesh], mesh.triangles[in_mesh + 1]);
   }
-  auto face = std::make_unique<Face>(Face{
-      RecordGrid(surfaces_.CornersM(face_idx),
-                 apexes,
-                 [&](const Vec3f& middle_m, float size_m) { return SpacingAt(middle_m, size_m); }),
-      0,
-      nullptr});
+  const float scale = detail == LightDetail::kReflected ? options_.reflected_spacing : 1.0F;
+  const auto spacing_at = [&](const Vec3f& middle_m, float size_m) {
+    return scale * SpacingAt(middle_m, size_m);
+  };
+  auto face = std::make_unique<Face>(
+      Face{RecordGrid(surfaces_.CornersM(face_idx), apexes, spacing_at), 0, nullptr});
   face->num_pages = (face->grid.NumRecords() + kRecordsPerPage - 1) / kRecordsPerPage;
   face->pages = std::make_unique<std::atomic<Page*>[]>(2 * size_t{face->num_pages});
   return face;
 }
 
-LightStore::Face& LightStore::FaceAt(uint32_t face_idx) {
-  std::atomic<Face*>& slot = faces_[face_idx];
+LightStore::Face& LightStore::FaceAt(uint32_t face_idx, LightDetail detail) {
+  std::atomic<Face*>& slot = faces_[SlotOf(face_idx, detail)];
   Face* face = slot.load(std::memory_order_acquire);
   if (face == nullptr) [[unlikely]] {
-    std::unique_ptr<Face> made = MakeFace(face_idx);
+    std::unique_ptr<Face> made = MakeFace(face_idx, detail);
     const std::lock_guard lock(allocation_mutex_);
     face = slot.load(std::memory_order_relaxed);
     if (face == nullptr) {
@@ -170,7 +110,14 @@ LightStore::Face& LightStore::FaceAt(uint32_t face_idx) {
   return *face;
 }
 
-LightStore::Record* LightStore::RecordAt(Face& face, bool is_front, uint32_t record_idx) {
+LightDetail LightStore::DetailFor(uint32_t face_idx, LightDetail detail) {
+  return detail == LightDetail::kReflected &&
+                 FaceAt(face_idx, LightDetail::kSeen).grid.NumRecords() > 1
+             ? LightDetail::kReflected
+             : LightDetail::kSeen;
+}
+
+LightRecord* LightStore::RecordAt(Face& face, bool is_front, uint32_t record_idx) {
   const size_t page_idx = record_idx / kRecordsPerPage + (is_front ? 0 : size_t{face.num_pages});
   std::atomic<Page*>& slot = face.pages[page_idx];
   Page* page = slot.load(std::memory_order_acquire);
@@ -189,31 +136,29 @@ LightStore::Record* LightStore::RecordAt(Face& face, bool is_front, uint32_t rec
   return &page->records[record_idx % kRecordsPerPage];
 }
 
-void LightStore::Publish(const Record& computed, Record& record) {
-  // The state comes last: who sees it sees the rest.
-  for (size_t i = 0; i < record.halves.size(); ++i) {
-    if (i != kStateIdx) {
-      std::atomic_ref<uint16_t>(record.halves[i])
-          .store(computed.halves[i], std::memory_order_relaxed);
-    }
-  }
-  const uint16_t before = std::atomic_ref<uint16_t>(record.halves[kStateIdx])
-                              .exchange(kReady, std::memory_order_acq_rel);
-  if (before != kReady) {
+void LightStore::Publish(const LightRecord& computed, LightRecord& record) {
+  if (record.Publish(computed)) {
     num_records_.fetch_add(1, std::memory_order_relaxed);
   }
 }
 
-LightStore::Record LightStore::ComputeRecord(const Face& face, const RecordId& id) const {
+LightRecord LightStore::ComputeRecord(const Face& face, const RecordId& id) const {
   const std::array<Vec3f, 3> corners_m = surfaces_.CornersM(id.face_idx);
   const float inset_m = kInsetShareOfSpacing * options_.spacing_m;
   const Vec3f normal = surfaces_.Normal(id.face_idx);
   ShadingPoint point;
   point.position_m = face.grid.PositionM(corners_m, id.record_idx, inset_m);
   point.geometric_normal = id.is_front ? normal : Vec3f(-normal);
-  const uint64_t key =
-      HashKey({0x7265636f7264ULL, id.face_idx, id.record_idx, id.is_front ? 0ULL : 1ULL});
-  GatheredLight gathered = gatherer_.Gather(point.RayOriginM(), point.geometric_normal, key);
+  const uint64_t key = HashKey({0x7265636f7264ULL,
+                                id.face_idx,
+                                id.record_idx,
+                                id.is_front ? 0ULL : 1ULL,
+                                static_cast<uint64_t>(id.detail)});
+  // What is small in the picture or weak needs less.
+  const auto gather = face.grid.NumRecords() == 1 || id.detail == LightDetail::kReflected
+                          ? &LightGatherer::GatherByAQuarter
+                          : &LightGatherer::Gather;
+  GatheredLight gathered = (gatherer_.*gather)(point.RayOriginM(), point.geometric_normal, key);
   if (gathered.is_buried) {
     // What shows of the face may lie between its records, all of them behind mouldings.
     float least_from_behind = 0.5F;
@@ -228,41 +173,33 @@ LightStore::Record LightStore::ComputeRecord(const Face& face, const RecordId& i
       }
     }
     if (least_from_behind < 0.5F) {
-      gathered = gatherer_.Gather(best.RayOriginM(), best.geometric_normal, key);
+      gathered = (gatherer_.*gather)(best.RayOriginM(), best.geometric_normal, key);
     }
   }
-  Record record;
-  HalvesFromFloats(gathered.light.x, &record.halves[0]);
-  HalvesFromFloats(gathered.light.y, &record.halves[4]);
-  HalvesFromFloats(gathered.light.z, &record.halves[8]);
-  record.halves[kStateIdx] = kReady;
-  record.halves[kBuriedIdx] = gathered.is_buried ? 1 : 0;
-  return record;
+  return LightRecord(gathered);
 }
 
-VectorIrradiance LightStore::Lookup(const ShadingPoint& point) {
+VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detail) {
   const uint32_t face_idx = FaceOf(point.triangle_idx);
-  Face& face = FaceAt(face_idx);
+  detail = DetailFor(face_idx, detail);
+  Face& face = FaceAt(face_idx, detail);
   const RecordGrid::Stencil stencil =
       face.grid.StencilAt(face_idx != point.triangle_idx, point.u, point.v);
   VectorIrradiance light;
   float sum_of_weights = 0.0F;
   for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
-    Record* record = RecordAt(face, point.is_front, stencil.records[i]);
-    Record computed;
-    if (record == nullptr || State(record->halves) != kReady) [[unlikely]] {
-      computed = ComputeRecord(face, {face_idx, stencil.records[i], point.is_front});
+    LightRecord* record = RecordAt(face, point.is_front, stencil.records[i]);
+    LightRecord computed;
+    if (record == nullptr || !record->IsReady()) [[unlikely]] {
+      computed = ComputeRecord(face, {face_idx, stencil.records[i], point.is_front, detail});
       if (record != nullptr) {
         Publish(computed, *record);
       }
       record = &computed;
     }
-    const float weight =
-        stencil.weights[i] * (record->halves[kBuriedIdx] != 0 ? kBuriedWeight : 1.0F);
+    const float weight = stencil.weights[i] * (record->IsBuried() ? kBuriedWeight : 1.0F);
     sum_of_weights += weight;
-    light.x += weight * FloatsFromHalves(&record->halves[0]);
-    light.y += weight * FloatsFromHalves(&record->halves[4]);
-    light.z += weight * FloatsFromHalves(&record->halves[8]);
+    record->AddTo(weight, light);
   }
   if (sum_of_weights < 2.0F * kBuriedWeight && IsDark(light)) {
     // A gap too small for a record of its own, seen all the same.
@@ -278,18 +215,18 @@ VectorIrradiance LightStore::Lookup(const ShadingPoint& point) {
   return light;
 }
 
-void LightStore::Want(const ShadingPoint& point, std::vector<RecordId>& missing) {
+void LightStore::Want(const ShadingPoint& point,
+                      LightDetail detail,
+                      std::vector<RecordId>& missing) {
   const uint32_t face_idx = FaceOf(point.triangle_idx);
-  Face& face = FaceAt(face_idx);
+  detail = DetailFor(face_idx, detail);
+  Face& face = FaceAt(face_idx, detail);
   const RecordGrid::Stencil stencil =
       face.grid.StencilAt(face_idx != point.triangle_idx, point.u, point.v);
   for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
-    Record* record = RecordAt(face, point.is_front, stencil.records[i]);
-    uint16_t expected = kEmpty;
-    if (record != nullptr &&
-        std::atomic_ref<uint16_t>(record->halves[kStateIdx])
-            .compare_exchange_strong(expected, kWanted, std::memory_order_relaxed)) {
-      missing.push_back({face_idx, stencil.records[i], point.is_front});
+    LightRecord* record = RecordAt(face, point.is_front, stencil.records[i]);
+    if (record != nullptr && record->MarkWanted()) {
+      missing.push_back({face_idx, stencil.records[i], point.is_front, detail});
     }
   }
 }
@@ -302,9 +239,9 @@ void LightStore::Compute(const std::vector<RecordId>& records,
   ParallelFor(num_tasks, num_threads, [&](size_t task) {
     const size_t end = std::min(records.size(), (task + 1) * kRecordsPerTask);
     for (size_t i = task * kRecordsPerTask; i < end; ++i) {
-      Face& face = FaceAt(records[i].face_idx);
-      Record* record = RecordAt(face, records[i].is_front, records[i].record_idx);
-      if (record != nullptr && State(record->halves) != kReady) {
+      Face& face = FaceAt(records[i].face_idx, records[i].detail);
+      LightRecord* record = RecordAt(face, records[i].is_front, records[i].record_idx);
+      if (record != nullptr && !record->IsReady()) {
         Publish(ComputeRecord(face, records[i]), *record);
       }
     }
@@ -320,78 +257,6 @@ int64_t LightStore::MemoryBytes() const {
              static_cast<int64_t>(sizeof(Face) + 2 * size_t{face->num_pages} * sizeof(void*));
   }
   return bytes;
-}
-
-std::string LightStore::Serialize() const {
-  std::string bytes;
-  Append(static_cast<uint64_t>(faces_.size()), bytes);
-  for (size_t triangle_idx = 0; triangle_idx < faces_.size(); ++triangle_idx) {
-    const Face* face = faces_[triangle_idx].load(std::memory_order_acquire);
-    for (uint32_t page_idx = 0; face != nullptr && page_idx < 2 * face->num_pages; ++page_idx) {
-      const Page* page = face->pages[page_idx].load(std::memory_order_acquire);
-      if (page == nullptr) {
-        continue;
-      }
-      uint32_t ready = 0;
-      for (size_t i = 0; i < kRecordsPerPage; ++i) {
-        ready |= State(page->records[i].halves) == kReady ? 1U << i : 0U;
-      }
-      if (ready == 0) {
-        continue;
-      }
-      Append(PageHeader{static_cast<uint32_t>(triangle_idx), page_idx}, bytes);
-      Append(ready, bytes);
-      for (size_t i = 0; i < kRecordsPerPage; ++i) {
-        if ((ready >> i & 1U) != 0) {
-          Append(page->records[i], bytes);
-        }
-      }
-    }
-  }
-  return bytes;
-}
-
-bool LightStore::Load(std::string_view bytes) {
-  // Looked through before anything is taken over.
-  for (const bool is_rehearsal : {true, false}) {
-    ByteReader reader(bytes);
-    uint64_t num_triangles = 0;
-    if (!reader.Take(num_triangles) || num_triangles != faces_.size()) {
-      return false;
-    }
-    while (!reader.IsAtEnd()) {
-      PageHeader header;
-      uint32_t ready = 0;
-      if (!reader.Take(header) || !reader.Take(ready) || header.face_idx >= faces_.size() ||
-          is_second_[header.face_idx] != 0) {
-        return false;
-      }
-      Face& face = FaceAt(header.face_idx);
-      if (header.page_idx >= 2 * face.num_pages) {
-        return false;
-      }
-      const bool is_front = header.page_idx < face.num_pages;
-      const uint32_t first =
-          (is_front ? header.page_idx : header.page_idx - face.num_pages) * kRecordsPerPage;
-      for (uint32_t i = 0; i < kRecordsPerPage; ++i) {
-        Record stored;
-        if ((ready >> i & 1U) == 0) {
-          continue;
-        }
-        if (first + i >= face.grid.NumRecords() || !reader.Take(stored) ||
-            stored.halves[kStateIdx] != kReady) {
-          return false;
-        }
-        if (!is_rehearsal) {
-          Record* record = RecordAt(face, is_front, first + i);
-          if (record != nullptr) {
-            Publish(stored, *record);
-          }
-        }
-      }
-    }
-  }
-  return true;
 }
 
 }  // namespace pfseq

@@ -5,12 +5,14 @@
 // one such face, so that no light leaks round an edge; what it holds depends on the scene and its
 // place alone, so that it is the same whoever asks first. Records that would lie within a body,
 // where faces run into each other, are told by what they see and moved to where the face shows
-// nearby; if that is nowhere, they count only where there is no other.
+// nearby; if that is nowhere, they count only where there is no other. What is seen by reflection
+// alone has a grid of its own, coarser and of fewer rays.
 #pragma once
 
 #include "renderer/core/progress.h"
 #include "renderer/core/vector.h"
 #include "renderer/trace/light_gatherer.h"
+#include "renderer/trace/light_record.h"
 #include "renderer/trace/record_grid.h"
 #include "renderer/trace/surface_table.h"
 
@@ -27,11 +29,16 @@
 
 namespace pfseq {
 
+/// What light is looked up for: what the camera sees, or what it sees by reflection.
+enum class LightDetail : uint8_t { kSeen, kReflected };
+
 struct LightStoreOptions {
   /// Distance of the records on surfaces near the viewpoints.
   float spacing_m = 0.25F;
   /// On surfaces further off it grows with the distance to the nearest viewpoint.
   float spacing_by_distance = 0.03F;
+  /// Both are so many times wider for what is seen by reflection.
+  float reflected_spacing = 4.0F;
   /// Where the cameras come by, about. None: spacing_m everywhere.
   std::vector<Vec3f> viewpoints_m;
   /// Records beyond this are computed each time they are asked for.
@@ -46,6 +53,7 @@ class LightStore {
     uint32_t face_idx = 0;
     uint32_t record_idx = 0;
     bool is_front = true;
+    LightDetail detail = LightDetail::kSeen;
   };
 
   /// All must outlive this.
@@ -58,11 +66,11 @@ class LightStore {
 
   /// The light at a point, interpolated between the four records around it; those that are missing
   /// are computed now. Any number of threads may ask.
-  VectorIrradiance Lookup(const ShadingPoint& point);
+  VectorIrradiance Lookup(const ShadingPoint& point, LightDetail detail);
 
   /// Marks the records around a point as wanted and appends those that nobody marked before to
   /// `missing`.
-  void Want(const ShadingPoint& point, std::vector<RecordId>& missing);
+  void Want(const ShadingPoint& point, LightDetail detail, std::vector<RecordId>& missing);
 
   /// Computes records; `progress` is advanced by one for each.
   void Compute(const std::vector<RecordId>& records, int num_threads, Progress& progress);
@@ -77,14 +85,9 @@ class LightStore {
   bool Load(std::string_view bytes);
 
  private:
-  /// Three times red, green, blue in half precision, of x, y and z of the vector; the fourth of
-  /// the first three is the state, that of the second 1 if the record is buried.
-  struct Record {
-    std::array<uint16_t, 12> halves;
-  };
   static constexpr uint32_t kRecordsPerPage = 8;
   struct Page {
-    std::array<Record, kRecordsPerPage> records;
+    std::array<LightRecord, kRecordsPerPage> records;
   };
   /// The grid of a triangle or parallelogram and the pages of its two sides.
   struct Face {
@@ -93,22 +96,30 @@ class LightStore {
     std::unique_ptr<std::atomic<Page*>[]> pages;
   };
 
-  Face& FaceAt(uint32_t face_idx);
-  std::unique_ptr<Face> MakeFace(uint32_t face_idx) const;
+  size_t NumTriangles() const { return is_second_.size(); }
+  /// The place of a face's grid in faces_.
+  size_t SlotOf(uint32_t face_idx, LightDetail detail) const {
+    return face_idx + (detail == LightDetail::kReflected ? NumTriangles() : 0);
+  }
+  Face& FaceAt(uint32_t face_idx, LightDetail detail);
+  std::unique_ptr<Face> MakeFace(uint32_t face_idx, LightDetail detail) const;
   float SpacingAt(const Vec3f& centre_m, float size_m) const;
+  /// Records that serve for both are those of what is seen.
+  LightDetail DetailFor(uint32_t face_idx, LightDetail detail);
   /// The triangle that names the face that a triangle belongs to.
   uint32_t FaceOf(uint32_t triangle_idx) const {
     return is_second_[triangle_idx] != 0 ? triangle_idx - 1 : triangle_idx;
   }
   void FindParallelograms();
   /// Null when the store is full and the record's page not there.
-  Record* RecordAt(Face& face, bool is_front, uint32_t record_idx);
-  Record ComputeRecord(const Face& face, const RecordId& id) const;
-  void Publish(const Record& computed, Record& record);
+  LightRecord* RecordAt(Face& face, bool is_front, uint32_t record_idx);
+  LightRecord ComputeRecord(const Face& face, const RecordId& id) const;
+  void Publish(const LightRecord& computed, LightRecord& record);
 
   const SurfaceTable& surfaces_;
   const LightGatherer& gatherer_;
   LightStoreOptions options_;
+  /// For what is seen, then for what is seen by reflection.
   std::vector<std::atomic<Face*>> faces_;
   /// 1 for the second triangle of a parallelogram, which the one before begins.
   std::vector<uint8_t> is_second_;

@@ -107,6 +107,7 @@ TEST(RenderCachedRadiance, DoesNotDependOnThreadsNorOnWhatWasComputedBefore) {
   const auto prepared = stage.MakeCachedLight();
   prepared->Prepare({{&stage.Raster(), stage.MakeView(5, Vec3d(1.0, -0.5, 3.0))},
                      {&stage.Raster(), stage.MakeView()}},
+                    sampling,
                     2,
                     true);
   EXPECT_EQ(Render(stage, *prepared, sampling, 2), one);
@@ -242,11 +243,12 @@ TEST(WantedRecords, ArePerViewAndOnlyOnce) {
   const TwoBoxesStage stage;
   const auto light = stage.MakeCachedLight();
   const size_t num_first =
-      WantedRecords(light->Tracer(), stage.Raster(), stage.MakeView(), 2).size();
+      WantedRecords(light->Tracer(), stage.Raster(), stage.MakeView(), PixelSampling(), 2).size();
   EXPECT_GT(num_first, 500U);
-  EXPECT_TRUE(WantedRecords(light->Tracer(), stage.Raster(), stage.MakeView(), 1).empty());
+  EXPECT_TRUE(
+      WantedRecords(light->Tracer(), stage.Raster(), stage.MakeView(), PixelSampling(), 1).empty());
   const View other = stage.MakeView(1, Vec3d(2.0, 1.0, 3.0));
-  EXPECT_GT(WantedRecords(light->Tracer(), stage.Raster(), other, 2).size(), 50U);
+  EXPECT_GT(WantedRecords(light->Tracer(), stage.Raster(), other, PixelSampling(), 2).size(), 50U);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ class CachedLightTest : public testing::Test {
   /// Prepares and keeps the light of a view.
   void Keep(const View& view, const std::string& content_hash = "two boxes") const {
     const auto light = stage_.MakeCachedLight(Options(), content_hash);
-    light->Prepare({{&stage_.Raster(), view}}, 2, true);
+    light->Prepare({{&stage_.Raster(), view}}, {}, 2, true);
   }
 
   /// Makes the light from the file and gives what it says.
@@ -65,7 +65,7 @@ class CachedLightTest : public testing::Test {
 TEST_F(CachedLightTest, SecondRunFindsAllRecords) {
   const auto first = stage_.MakeCachedLight(Options());
   EXPECT_EQ(first->Store().NumRecords(), 0);
-  first->Prepare({{&stage_.Raster(), stage_.MakeView()}}, 2, true);
+  first->Prepare({{&stage_.Raster(), stage_.MakeView()}}, {}, 2, true);
   EXPECT_GT(first->Store().NumRecords(), 500);
   ASSERT_EQ(Files().size(), 1U);
 
@@ -80,7 +80,7 @@ TEST_F(CachedLightTest, SecondRunFindsAllRecords) {
 
 TEST_F(CachedLightTest, WithoutAFolderNothingIsWritten) {
   const auto light = stage_.MakeCachedLight({});
-  light->Prepare({{&stage_.Raster(), stage_.MakeView()}}, 2, true);
+  light->Prepare({{&stage_.Raster(), stage_.MakeView()}}, {}, 2, true);
   light->Save();
   EXPECT_TRUE(std::filesystem::is_empty(folder_.Path()));
 }
@@ -140,7 +140,7 @@ TEST_F(CachedLightTest, WhatTheLightDependsOnMakesAFileOfItsOwn) {
   const auto expect_new_file = [&](const RenderSpec& spec, const std::string& content_hash) {
     const auto light = stage_.MakeCachedLight(Options(), content_hash, spec);
     EXPECT_EQ(light->Store().NumRecords(), 0);
-    light->Prepare({{&stage_.Raster(), stage_.MakeView()}}, 2, true);
+    light->Prepare({{&stage_.Raster(), stage_.MakeView()}}, {}, 2, true);
     EXPECT_EQ(Files().size(), ++num_files);
   };
   RenderSpec spec = CoarseLightSpec();
@@ -168,16 +168,16 @@ TEST_F(CachedLightTest, RunsOfOtherFramesAddUp) {
   Keep(first);
   std::string said;
   const int64_t num_first = Load(&said)->Store().NumRecords();
-  other->Prepare({{&stage_.Raster(), second}}, 2, true);
+  other->Prepare({{&stage_.Raster(), second}}, {}, 2, true);
   const auto both = Load(&said);
   EXPECT_EQ(said, "");
   EXPECT_GT(both->Store().NumRecords(), num_first);
-  EXPECT_TRUE(WantedRecords(both->Tracer(), stage_.Raster(), first, 1).empty());
-  EXPECT_TRUE(WantedRecords(both->Tracer(), stage_.Raster(), second, 1).empty());
+  EXPECT_TRUE(WantedRecords(both->Tracer(), stage_.Raster(), first, PixelSampling(), 1).empty());
+  EXPECT_TRUE(WantedRecords(both->Tracer(), stage_.Raster(), second, PixelSampling(), 1).empty());
 }
 
 TEST_F(CachedLightTest, KeepsWhatRenderingAddsWhenSaved) {
-  Keep(stage_.MakeView());
+  Keep(stage_.MakeView(1, Vec3d(2.0, 1.0, 3.0)));
   std::string said;
   const auto light = Load(&said);
   const int64_t num_prepared = light->Store().NumRecords();

@@ -153,8 +153,8 @@ TEST(CachedLightTracer, MirrorShowsTheColouredWall) {
   scene.meshes = {
       FloorMesh(10.0F, 0),
       ParallelogramMesh({4.0F, -5.0F, 0.5F}, {0.0F, 0.0F, 4.0F}, {0.0F, 10.0F, 0.0F}, 1)};
-  const TracedScene traced(
-      scene, SunAndConstantSky({-1.0, 0.1, 1.0}, Rgb::Constant(20.0F), Rgb(1.0F, 2.0F, 3.0F)));
+  // Without a sun, whose image in the mirror few of a record's rays would find.
+  const TracedScene traced(scene, ConstantSkyLight(Rgb::Ones()));
   for (const float height_m : {1.0F, 2.0F, 3.0F}) {
     // Toward the wall's mirror image, and at the wall itself, which looks the same from anywhere.
     const Vec3f wall_m(4.0F, 0.7F, height_m);
@@ -175,24 +175,42 @@ TEST(CachedLightTracer, MirrorShowsTheColouredWall) {
   EXPECT_NEAR(sky[0], 1.0F, 0.02F);
 }
 
+/// A mirroring floor before a wall.
+Scene FloorBeforeWall(const Material& floor) {
+  Scene scene = FloorOf(floor);
+  scene.materials.push_back(LambertianMaterial(Rgb(0.8F, 0.1F, 0.3F)));
+  scene.meshes.push_back(
+      ParallelogramMesh({4.0F, -5.0F, 0.5F}, {0.0F, 0.0F, 4.0F}, {0.0F, 10.0F, 0.0F}, 1));
+  return scene;
+}
+
 TEST(CachedLightTracer, WantsWhatItLooksUp) {
-  Scene scene = FloorOf(LambertianMaterial(Rgb::Constant(0.5F)));
-  const TracedScene traced(scene, ConstantSkyLight(Rgb::Ones()));
-  RayPacket rays;
-  for (int i = 0; i < kPacketSize; ++i) {
-    rays.Set(i, {0.0F, 0.0F, 2.0F}, Vec3f(0.3F * static_cast<float>(i), 0.2F, -1.0F).normalized());
+  Material mirror;
+  mirror.metallic = 1.0F;
+  mirror.roughness = 0.02F;
+  for (const Material& floor : {LambertianMaterial(Rgb::Constant(0.5F)), mirror}) {
+    const TracedScene traced(FloorBeforeWall(floor), ConstantSkyLight(Rgb::Ones()));
+    CameraPacket packet;
+    for (int i = 0; i < kPacketSize; ++i) {
+      packet.rays.Set(
+          i, {0.0F, 0.0F, 2.0F}, Vec3f(0.3F * static_cast<float>(i), 0.2F, -1.0F).normalized());
+    }
+    // The last does not count, the sky needs no record.
+    packet.rays.Set(6, {0.0F, 0.0F, 2.0F}, Vec3f::UnitZ());
+    packet.rays.active &= 0x7FU;
+    CameraPacket same = packet;
+    std::vector<LightStore::RecordId> missing;
+    traced.tracer.WantRecords(packet, missing);
+    const auto num_reflected =
+        std::count_if(missing.begin(), missing.end(), [](const LightStore::RecordId& id) {
+          return id.detail == LightDetail::kReflected;
+        });
+    EXPECT_EQ(num_reflected > 0, floor.metallic > 0.0F);
+    EXPECT_LT(num_reflected, static_cast<std::ptrdiff_t>(missing.size()));
+    std::array<Rgb, kPacketSize> radiance;
+    traced.tracer.Radiance(same, radiance);
+    EXPECT_EQ(traced.store.NumRecords(), static_cast<int64_t>(missing.size()));
   }
-  // The last does not count, the sky needs no record.
-  rays.Set(6, {0.0F, 0.0F, 2.0F}, Vec3f::UnitZ());
-  rays.active &= 0x7FU;
-  std::vector<LightStore::RecordId> missing;
-  traced.tracer.WantRecords(rays, missing);
-  EXPECT_FALSE(missing.empty());
-  CameraPacket packet;
-  packet.rays = rays;
-  std::array<Rgb, kPacketSize> radiance;
-  traced.tracer.Radiance(packet, radiance);
-  EXPECT_EQ(traced.store.NumRecords(), static_cast<int64_t>(missing.size()));
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ struct StoredScene {
   std::vector<LightStore::RecordId> Missing(const std::vector<ShadingPoint>& points) {
     std::vector<LightStore::RecordId> missing;
     for (const ShadingPoint& point : points) {
-      store.Want(point, missing);
+      store.Want(point, LightDetail::kSeen, missing);
     }
     return missing;
   }
@@ -114,7 +114,9 @@ TEST(LightStore, IsBilinearOverAParallelogram) {
   // fifth of a cell off the edges.
   StoredScene stored(Spacing(1.0F));
   constexpr std::array<float, 5> kRecords = {0.05F, 0.25F, 0.5F, 0.75F, 0.95F};
-  const auto light = [&](float s, float t) { return stored.store.Lookup(FloorPoint(s, t)); };
+  const auto light = [&](float s, float t) {
+    return stored.store.Lookup(FloorPoint(s, t), LightDetail::kSeen);
+  };
   RandomStream random({1});
   double contrast = 0.0;
   for (int i = 0; i < 400; ++i) {
@@ -164,7 +166,7 @@ TEST(LightStore, HasNoStepsWithinTriangles) {
       const float t = static_cast<float>(i) / kNumSteps;
       point.u = 0.05F + 0.6F * t;
       point.v = 0.9F - 0.85F * t;
-      const VectorIrradiance light = stored.store.Lookup(point);
+      const VectorIrradiance light = stored.store.Lookup(point, LightDetail::kSeen);
       const float value = std::abs(light.x[1]) + std::abs(light.y[1]) + std::abs(light.z[1]);
       widest_step = before < 0.0F ? 0.0F : std::max(widest_step, std::abs(value - before));
       least = std::min(least, value);
@@ -178,8 +180,10 @@ TEST(LightStore, HasNoStepsWithinTriangles) {
 
 TEST(LightStore, SidesOfATriangleAreApart) {
   StoredScene stored(Spacing(0.5F));
-  const VectorIrradiance front = stored.store.Lookup(FloorPoint(0.4F, 0.3F, true));
-  const VectorIrradiance back = stored.store.Lookup(FloorPoint(0.4F, 0.3F, false));
+  const VectorIrradiance front =
+      stored.store.Lookup(FloorPoint(0.4F, 0.3F, true), LightDetail::kSeen);
+  const VectorIrradiance back =
+      stored.store.Lookup(FloorPoint(0.4F, 0.3F, false), LightDetail::kSeen);
   EXPECT_GT(front.z[2], 1.0F);
   // From below, the sky alone.
   EXPECT_NEAR(back.z[2], -3.1416F, 0.1F);
@@ -201,7 +205,7 @@ TEST(LightStore, DoesNotDependOnOrderNorThreads) {
   // By lookups alone, the last first.
   StoredScene asked(Spacing(0.25F));
   for (size_t i = points.size(); i-- > 0;) {
-    asked.store.Lookup(points[i]);
+    asked.store.Lookup(points[i], LightDetail::kSeen);
   }
   EXPECT_TRUE(asked.store.Serialize() == bytes);
   EXPECT_EQ(asked.store.NumRecords(), one.store.NumRecords());
@@ -217,7 +221,7 @@ TEST(LightStore, WantsEachRecordOnceAndComputesNoOther) {
   const auto num_records = static_cast<int64_t>(records.size());
   EXPECT_EQ(stored.store.NumRecords(), num_records);
   for (const ShadingPoint& point : points) {
-    stored.store.Lookup(point);
+    stored.store.Lookup(point, LightDetail::kSeen);
   }
   // All were there.
   EXPECT_EQ(stored.store.NumRecords(), num_records);
@@ -234,7 +238,8 @@ TEST(LightStore, SerialisedAndLoadedIsTheSame) {
   EXPECT_EQ(loaded.store.NumRecords(), stored.store.NumRecords());
   EXPECT_TRUE(loaded.store.Serialize() == bytes);
   for (const ShadingPoint& point : points) {
-    ASSERT_TRUE(IsSame(loaded.store.Lookup(point), stored.store.Lookup(point)));
+    ASSERT_TRUE(IsSame(loaded.store.Lookup(point, LightDetail::kSeen),
+                       stored.store.Lookup(point, LightDetail::kSeen)));
   }
   EXPECT_EQ(loaded.store.NumRecords(), stored.store.NumRecords());
   EXPECT_TRUE(loaded.Missing(points).empty());
@@ -323,7 +328,7 @@ TEST(LightStore, SlabThroughAWallIsNotDarkenedBesideIt) {
   AddBox({-0.8F, -6.0F, -1.0F}, {1.6F, 12.0F, 1.5F}, 0, &scene.meshes);
   StoredScene stored(Spacing(0.5F), scene);
   const auto light_at = [&](float x_m) {
-    return stored.store.Lookup(FloorPoint((x_m + 4.0F) / 8.0F, 0.53F)).z[0];
+    return stored.store.Lookup(FloorPoint((x_m + 4.0F) / 8.0F, 0.53F), LightDetail::kSeen).z[0];
   };
   const float beside = light_at(1.0F);
   EXPECT_GT(beside, 1.0F);
@@ -352,8 +357,9 @@ std::array<float, 2> LightInGap(float width_m) {
     ShadingPoint point = FloorPoint((0.75F + 4.0F) / 8.0F, across);
     point.position_m = {0.75F, across * 8.0F - 4.0F, 0.0F};
     const Vec3f origin_m = point.RayOriginM();
-    looked_up += stored.store.Lookup(point).z[0] / kNumPoints;
-    truth += stored.lit.gatherer.Gather(origin_m, point.geometric_normal, 1).light.z[0] / kNumPoints;
+    looked_up += stored.store.Lookup(point, LightDetail::kSeen).z[0] / kNumPoints;
+    truth +=
+        stored.lit.gatherer.Gather(origin_m, point.geometric_normal, 1).light.z[0] / kNumPoints;
   }
   return {looked_up, truth};
 }
@@ -379,7 +385,9 @@ TEST(LightStore, LittleMemoryGivesTheSameLookups) {
     StoredScene little(options);
     little.Compute(little.Missing(points), 2);
     for (const ShadingPoint& point : points) {
-      ASSERT_TRUE(IsSame(little.store.Lookup(point), plenty.store.Lookup(point))) << max_bytes;
+      ASSERT_TRUE(IsSame(little.store.Lookup(point, LightDetail::kSeen),
+                         plenty.store.Lookup(point, LightDetail::kSeen)))
+          << max_bytes;
     }
     // A record takes 24 bytes.
     EXPECT_LE(little.store.NumRecords() * 24, max_bytes);
@@ -397,7 +405,9 @@ TEST(LightStore, SpacingGrowsWithTheDistanceToTheNearestViewpoint) {
     for (int i = 0; i <= 100; ++i) {
       for (int k = 0; k <= 100; ++k) {
         stored.store.Want(
-            FloorPoint(static_cast<float>(i) / 100.0F, static_cast<float>(k) / 100.0F), missing);
+            FloorPoint(static_cast<float>(i) / 100.0F, static_cast<float>(k) / 100.0F),
+            LightDetail::kSeen,
+            missing);
       }
     }
     return missing.size();
@@ -409,6 +419,47 @@ TEST(LightStore, SpacingGrowsWithTheDistanceToTheNearestViewpoint) {
   EXPECT_EQ(num_records({Vec3f(0.0F, 0.0F, 40.0F)}), 5U * 4U);
   // The nearest of them counts.
   EXPECT_EQ(num_records({Vec3f(0.0F, 0.0F, 40.0F), Vec3f(0.0F, 0.0F, 2.0F)}), everywhere);
+}
+
+TEST(LightStore, WhatIsReflectedHasFewerRecordsOfItsOwn) {
+  StoredScene stored(Spacing(0.25F));
+  const auto num_missing = [&](LightDetail detail) {
+    std::vector<LightStore::RecordId> missing;
+    for (int i = 0; i <= 40; ++i) {
+      for (int k = 0; k <= 40; ++k) {
+        stored.store.Want(FloorPoint(static_cast<float>(i) / 40.0F, static_cast<float>(k) / 40.0F),
+                          detail,
+                          missing);
+      }
+    }
+    return missing.size();
+  };
+  // A metre apart.
+  EXPECT_EQ(num_missing(LightDetail::kReflected), 5U * 5U);
+  EXPECT_EQ(num_missing(LightDetail::kSeen), 17U * 14U);
+  // Coarser, but the same light.
+  float sum_seen = 0.0F;
+  float sum_of_differences = 0.0F;
+  for (int i = 1; i < 20; ++i) {
+    const ShadingPoint point = FloorPoint(static_cast<float>(i) / 20.0F, 0.2F);
+    const float seen = stored.store.Lookup(point, LightDetail::kSeen).z[1];
+    sum_seen += seen;
+    sum_of_differences +=
+        std::abs(stored.store.Lookup(point, LightDetail::kReflected).z[1] - seen);
+  }
+  EXPECT_GT(sum_seen, 19.0F);
+  EXPECT_LT(sum_of_differences, 0.1F * sum_seen);
+  EXPECT_GT(sum_of_differences, 0.0F);
+}
+
+TEST(LightStore, SmallFacesHaveTheSameRecordForBoth) {
+  // All faces need one record.
+  StoredScene stored(Spacing(20.0F));
+  for (const ShadingPoint& point : stored.Points(50)) {
+    ASSERT_TRUE(IsSame(stored.store.Lookup(point, LightDetail::kSeen),
+                       stored.store.Lookup(point, LightDetail::kReflected)));
+  }
+  EXPECT_TRUE(stored.Missing(stored.Points(50)).empty());
 }
 
 }  // namespace
