@@ -5,6 +5,7 @@
 #include "renderer/core/file.h"
 #include "renderer/core/parallel.h"
 #include "renderer/film/exposure.h"
+#include "renderer/metering.h"
 #include "renderer/sequence/image_io.h"
 #include "renderer/sequence/sequence_schema.h"
 #include "renderer/trace/lighting.h"
@@ -39,13 +40,9 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
   }
 }
 
-/// Gives the scene the sun that lights it (not dimmed by clouds, which are the sky's) and an
-/// automatic exposure its number.
-Lighting SettleLight(SequenceSpec& spec, Scene& scene) {
+/// Gives the scene the sun that lights it (not dimmed by clouds, which are the sky's).
+Lighting SettleLight(const SequenceSpec& spec, Scene& scene) {
   Lighting lighting = MakeLighting(spec.light, scene.sun);
-  if (!spec.sensor.exposure.has_value()) {
-    spec.sensor.exposure = AutoExposure(lighting);
-  }
   if (spec.light.sky.model == "map") {
     scene.sun.reset();
     if (lighting.sun.has_value()) {
@@ -144,6 +141,12 @@ SequenceInput LoadSequenceInput(const DescriptionFlags& flags) {
   Scene scene = LoadScene(input.spec, "");
   input.lighting = std::make_shared<const Lighting>(SettleLight(input.spec, scene));
   input.scene = std::make_shared<const Scene>(std::move(scene));
+  if (!input.spec.sensor.exposure.has_value()) {
+    input.spec.sensor.exposure =
+        input.spec.sensor.metering == "frame"
+            ? MeteredExposure(input.spec, input.scene, *input.lighting, NumHardwareThreads())
+            : AutoExposure(*input.lighting);
+  }
 
   // The written description refers to the copies in its own folder.
   SequenceSpec written = input.spec;

@@ -30,4 +30,9 @@ double AutoExposure(const Lighting& lighting) {
                               std::sqrt(kDefaultIlluminanceKlx / illuminance_klx));
 }
 
+double ExposureForMean(double mean_kcd_m2) {
+  constexpr double kMiddleGrey = 0.18;
+  return mean_kcd_m2 > 0.0 ? RoundedToThreeDigits(kMiddleGrey / mean_kcd_m2) : kDefaultExposure;
+}
+
 }  // namespace pfseq

@@ -38,8 +38,13 @@ YamlTypePtr<SensorSpec> SensorSchema() {
       ->Key("exposure",
             &SensorSpec::exposure,
             YamlWordOr("auto", Above0(1e9)),
-            "Multiplies linear radiance before the tone curve. auto: from the light that falls on "
-            "the ground, the same for the whole sequence.")
+            "Multiplies linear radiance before the tone curve, the same for the whole sequence; "
+            "auto: as metering says.")
+      .Key("metering",
+           &SensorSpec::metering,
+           YamlChoice({"light", "frame"}),
+           "Where `exposure: auto` comes from: the light that falls on the ground, or what the "
+           "first camera sees in frame 0.")
       .Key("tone_curve",
            &SensorSpec::tone_curve,
            YamlChoice({"clip", "shoulder"}),

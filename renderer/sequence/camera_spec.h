@@ -146,6 +146,8 @@ struct SensorSpec {
   /// Multiplies linear radiance before the tone curve. Absent ("auto" in the file): follows from
   /// the light (renderer/film/exposure.h); a rendered sequence's description has the number.
   std::optional<double> exposure;
+  /// How an absent exposure is found: light, or frame (renderer/metering.h).
+  std::string metering = "light";
   /// clip (linear up to white) or shoulder (highlights roll off smoothly).
   std::string tone_curve = "shoulder";
   /// srgb or linear.
@@ -169,6 +171,7 @@ struct SensorSpec {
   bool IsRealistic() const {
     SensorSpec plain;
     plain.exposure = exposure;
+    plain.metering = metering;
     plain.tone_curve = tone_curve;
     return !(*this == plain);
   }

@@ -10,6 +10,8 @@ TEST_F(CameraSchema, TheExposureIsANumberOrAutomatic) {
   EXPECT_EQ(Read(kSmall).sensor.exposure, std::nullopt);
   EXPECT_EQ(Read(kSmall, {"sensor.exposure=auto"}).sensor.exposure, std::nullopt);
   EXPECT_EQ(Read(kSmall, {"sensor.exposure=0.5"}).sensor.exposure, 0.5);
+  EXPECT_EQ(Read(kSmall, {"sensor.metering=frame"}).sensor.metering, "frame");
+  EXPECT_FALSE(Read(kSmall, {"sensor.metering=frame"}).sensor.IsRealistic());
   EXPECT_NE(CanonicalYaml(Read(kSmall)).find("\n  exposure: auto\n"), std::string::npos);
   EXPECT_EQ(ErrorOf(kSmall, {"sensor.exposure=0"}),
             "--set sensor.exposure=0: expected a number > 0 and <= 1000000000, got 0");
