@@ -19,7 +19,7 @@ namespace pfseq {
 namespace {
 
 /// Changes whenever the same input would give other records.
-constexpr std::string_view kFormat = "pfseq light 5";
+constexpr std::string_view kFormat = "pfseq light 6";
 
 /// Records near the cameras are this far apart in a street, and this share of the scene's size in
 /// a small one.
@@ -173,15 +173,23 @@ void CachedLight::Prepare(const std::vector<RasterView>& views,
                           const PixelSampling& sampling,
                           int num_threads,
                           bool quiet) {
-  std::vector<LightStore::RecordId> missing;
-  for (const RasterView& item : views) {
-    const std::vector<LightStore::RecordId> wanted =
-        WantedRecords(tracer_, *item.raster, item.view, sampling, num_threads);
-    missing.insert(missing.end(), wanted.begin(), wanted.end());
+  // Where bodies run into faces shows once the first records are there.
+  constexpr int kNumRounds = 2;
+  for (int round = 0; round < kNumRounds; ++round) {
+    std::vector<LightStore::RecordId> missing;
+    for (const RasterView& item : views) {
+      const std::vector<LightStore::RecordId> wanted =
+          WantedRecords(tracer_, *item.raster, item.view, sampling, num_threads);
+      missing.insert(missing.end(), wanted.begin(), wanted.end());
+    }
+    if (missing.empty()) {
+      return;
+    }
+    Compute(std::move(missing), num_threads, quiet);
   }
-  if (missing.empty()) {
-    return;
-  }
+}
+
+void CachedLight::Compute(std::vector<LightStore::RecordId> missing, int num_threads, bool quiet) {
   // Neighbours together, whoever marked them first.
   std::sort(missing.begin(), missing.end(), [](const auto& a, const auto& b) {
     return std::tie(a.face_idx, a.detail, a.is_front, a.record_idx) <

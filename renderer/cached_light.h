@@ -67,6 +67,7 @@ class CachedLight {
  private:
   std::filesystem::path CachePath() const { return options_.folder / (key_ + ".light"); }
   void Load();
+  void Compute(std::vector<LightStore::RecordId> missing, int num_threads, bool quiet);
 
   LightCacheOptions options_;
   std::string key_;

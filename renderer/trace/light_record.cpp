@@ -25,12 +25,13 @@ void HalvesFromFloats(const Eigen::Array4f& values, uint16_t* halves) {
 
 }  // namespace
 
-LightRecord::LightRecord(const GatheredLight& gathered) {
+LightRecord::LightRecord(const GatheredLight& gathered, bool is_beside_body) {
   HalvesFromFloats(gathered.light.x, &halves_[0]);
   HalvesFromFloats(gathered.light.y, &halves_[4]);
   HalvesFromFloats(gathered.light.z, &halves_[8]);
   halves_[kStateIdx] = static_cast<uint16_t>(State::kReady);
   halves_[kBuriedIdx] = gathered.is_buried ? 1 : 0;
+  halves_[kBesideBodyIdx] = is_beside_body ? 1 : 0;
 }
 
 bool LightRecord::MarkWanted() {

@@ -43,7 +43,7 @@ LightStore::LightStore(const SurfaceTable& surfaces,
     : surfaces_(surfaces),
       gatherer_(gatherer),
       options_(options),
-      faces_(2 * surfaces.NumTriangles()),
+      faces_(kNumLightDetails * surfaces.NumTriangles()),
       is_second_(surfaces.NumTriangles(), 0) {
   FindParallelograms();
 }
@@ -83,7 +83,9 @@ std::unique_ptr<LightStore::Face> LightStore::MakeFace(uint32_t face_idx,
   if (face_idx + 1 < is_second_.size() && is_second_[face_idx + 1] != 0) {
     apexes = ParallelogramApexes(mesh, mesh.triangles[in_mesh], mesh.triangles[in_mesh + 1]);
   }
-  const float scale = detail == LightDetail::kReflected ? options_.reflected_spacing : 1.0F;
+  const float scale = detail == LightDetail::kReflected    ? options_.reflected_spacing
+                      : detail == LightDetail::kBesideBody ? options_.beside_body_spacing
+                                                           : 1.0F;
   const auto spacing_at = [&](const Vec3f& middle_m, float size_m) {
     return scale * SpacingAt(middle_m, size_m);
   };
@@ -112,9 +114,9 @@ LightStore::Face& LightStore::FaceAt(uint32_t face_idx, LightDetail detail) {
 
 LightDetail LightStore::DetailFor(uint32_t face_idx, LightDetail detail) {
   return detail == LightDetail::kReflected &&
-                 FaceAt(face_idx, LightDetail::kSeen).grid.NumRecords() > 1
-             ? LightDetail::kReflected
-             : LightDetail::kSeen;
+                 FaceAt(face_idx, LightDetail::kSeen).grid.NumRecords() == 1
+             ? LightDetail::kSeen
+             : detail;
 }
 
 LightRecord* LightStore::RecordAt(Face& face, bool is_front, uint32_t record_idx) {
@@ -155,11 +157,12 @@ LightRecord LightStore::ComputeRecord(const Face& face, const RecordId& id) cons
                                 id.is_front ? 0ULL : 1ULL,
                                 static_cast<uint64_t>(id.detail)});
   // What is small in the picture or weak needs less.
-  const auto gather = face.grid.NumRecords() == 1 || id.detail == LightDetail::kReflected
+  const auto gather = face.grid.NumRecords() == 1 || id.detail != LightDetail::kSeen
                           ? &LightGatherer::GatherByAQuarter
                           : &LightGatherer::Gather;
   GatheredLight gathered = (gatherer_.*gather)(point.RayOriginM(), point.geometric_normal, key);
-  if (gathered.is_buried) {
+  const bool is_beside_body = gathered.is_buried;
+  if (is_beside_body) {
     // What shows of the face may lie between its records, all of them behind mouldings.
     float least_from_behind = 0.5F;
     ShadingPoint best = point;
@@ -176,7 +179,7 @@ LightRecord LightStore::ComputeRecord(const Face& face, const RecordId& id) cons
       gathered = (gatherer_.*gather)(best.RayOriginM(), best.geometric_normal, key);
     }
   }
-  return LightRecord(gathered);
+  return LightRecord(gathered, is_beside_body);
 }
 
 VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detail) {
@@ -196,6 +199,9 @@ VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detai
         Publish(computed, *record);
       }
       record = &computed;
+    }
+    if (record->IsBesideBody() && detail == LightDetail::kSeen && face.grid.NumRecords() > 1) {
+      return Lookup(point, LightDetail::kBesideBody);
     }
     const float weight = stencil.weights[i] * (record->IsBuried() ? kBuriedWeight : 1.0F);
     sum_of_weights += weight;
@@ -223,11 +229,19 @@ void LightStore::Want(const ShadingPoint& point,
   Face& face = FaceAt(face_idx, detail);
   const RecordGrid::Stencil stencil =
       face.grid.StencilAt(face_idx != point.triangle_idx, point.u, point.v);
+  bool is_beside_body = false;
   for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
     LightRecord* record = RecordAt(face, point.is_front, stencil.records[i]);
-    if (record != nullptr && record->MarkWanted()) {
+    if (record == nullptr) {
+      continue;
+    }
+    if (record->MarkWanted()) {
       missing.push_back({face_idx, stencil.records[i], point.is_front, detail});
     }
+    is_beside_body = is_beside_body || (record->IsReady() && record->IsBesideBody());
+  }
+  if (is_beside_body && detail == LightDetail::kSeen && face.grid.NumRecords() > 1) {
+    Want(point, LightDetail::kBesideBody, missing);
   }
 }
 

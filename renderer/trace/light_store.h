@@ -5,8 +5,9 @@
 // one such face, so that no light leaks round an edge; what it holds depends on the scene and its
 // place alone, so that it is the same whoever asks first. Records that would lie within a body,
 // where faces run into each other, are told by what they see and moved to where the face shows
-// nearby; if that is nowhere, they count only where there is no other. What is seen by reflection
-// alone has a grid of its own, coarser and of fewer rays.
+// nearby; if that is nowhere, they count only where there is no other. Beside such records the face
+// has a finer grid, for there its light changes fast; what is seen by reflection alone has a coarser
+// one.
 #pragma once
 
 #include "renderer/core/progress.h"
@@ -29,16 +30,19 @@
 
 namespace pfseq {
 
-/// What light is looked up for: what the camera sees, or what it sees by reflection.
-enum class LightDetail : uint8_t { kSeen, kReflected };
+/// How finely light is stored: for what the camera sees, for what it sees by reflection, and for
+/// what it sees where a body runs into the face.
+enum class LightDetail : uint8_t { kSeen, kReflected, kBesideBody };
+inline constexpr size_t kNumLightDetails = 3;
 
 struct LightStoreOptions {
   /// Distance of the records on surfaces near the viewpoints.
   float spacing_m = 0.25F;
   /// On surfaces further off it grows with the distance to the nearest viewpoint.
   float spacing_by_distance = 0.03F;
-  /// Both are so many times wider for what is seen by reflection.
+  /// Both are so many times wider for what is seen by reflection, and beside bodies.
   float reflected_spacing = 4.0F;
+  float beside_body_spacing = 0.25F;
   /// Where the cameras come by, about. None: spacing_m everywhere.
   std::vector<Vec3f> viewpoints_m;
   /// Records beyond this are computed each time they are asked for.
@@ -99,7 +103,7 @@ class LightStore {
   size_t NumTriangles() const { return is_second_.size(); }
   /// The place of a face's grid in faces_.
   size_t SlotOf(uint32_t face_idx, LightDetail detail) const {
-    return face_idx + (detail == LightDetail::kReflected ? NumTriangles() : 0);
+    return face_idx + static_cast<size_t>(detail) * NumTriangles();
   }
   Face& FaceAt(uint32_t face_idx, LightDetail detail);
   std::unique_ptr<Face> MakeFace(uint32_t face_idx, LightDetail detail) const;
@@ -119,7 +123,7 @@ class LightStore {
   const SurfaceTable& surfaces_;
   const LightGatherer& gatherer_;
   LightStoreOptions options_;
-  /// For what is seen, then for what is seen by reflection.
+  /// One after another for each LightDetail.
   std::vector<std::atomic<Face*>> faces_;
   /// 1 for the second triangle of a parallelogram, which the one before begins.
   std::vector<uint8_t> is_second_;

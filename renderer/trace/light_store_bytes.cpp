@@ -87,8 +87,7 @@ bool LightStore::Load(std::string_view bytes) {
       if (is_second_[face_idx] != 0) {
         return false;
       }
-      Face& face =
-          FaceAt(face_idx, header.slot == face_idx ? LightDetail::kSeen : LightDetail::kReflected);
+      Face& face = FaceAt(face_idx, static_cast<LightDetail>(header.slot / NumTriangles()));
       if (header.page_idx >= 2 * face.num_pages) {
         return false;
       }
