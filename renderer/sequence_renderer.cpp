@@ -137,7 +137,8 @@ RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& gi
               options.shard_idx < options.num_shards);
   Studio studio(input, options.num_threads);
   const std::vector<Record> records = SelectRecords(studio, options);
-  const SequenceWriter writer(options.folder, DescriptionFiles(input, studio), options.on_existing);
+  const SequenceWriter writer(
+      options.folder, DescriptionFiles(input, studio), options.on_existing, options.sibling);
   const RecordRenderer renderer(studio, input.spec, writer, options);
 
   RenderSummary summary;
@@ -149,6 +150,9 @@ RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& gi
     }
     if (static_cast<int>(i % static_cast<size_t>(options.num_shards)) == options.shard_idx) {
       ++summary.num_records;
+      for (const Output output : options.sibling_outputs) {
+        writer.LinkFrameFile(studio.FileOf(records[i], output));
+      }
       std::vector<Output> missing = renderer.Missing(records[i]);
       summary.num_files_kept += static_cast<int>(options.outputs.size() - missing.size());
       if (!missing.empty()) {
