@@ -23,7 +23,6 @@ namespace {
 
 constexpr const char* kStudyFile = "study.yaml";
 constexpr const char* kVariantFile = "variant.yaml";
-constexpr const char* kReportFolder = "report";
 constexpr const char* kVariantsFolder = "variants";
 
 /// The file's text must be this one; it is written where there is none.
@@ -207,6 +206,13 @@ void StudyRunner::Measure(const StudyVariant& variant) const {
 
 bool StudyRunner::Run() {
   TakeFolder(study_, options_);
+  // The base sequence or a file that it names may be another one by now.
+  for (const StudyVariant& variant : variants_) {
+    const std::filesystem::path file = VariantFolder(options_.out, variant) / kVariantFile;
+    if (std::filesystem::exists(file)) {
+      ExpectText(file, CanonicalYaml(variant.spec));
+    }
+  }
   std::optional<SequenceInput> input;
   for (size_t i = 0; i < work_.size(); ++i) {
     const StudyVariant& variant = variants_[work_[i]];

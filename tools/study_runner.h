@@ -35,7 +35,6 @@ bool IsMeasured(const std::filesystem::path& out, const StudyVariant& variant);
 std::vector<Output> SameOutputs(const SequenceSpec& a, const SequenceSpec& b);
 
 /// Variants by scene and light, in the order in which they come: what shares them lies together.
-/// `num_groups` becomes how many scenes and lights there are.
 std::vector<size_t> OrderOfWork(const std::vector<StudyVariant>& variants);
 
 class StudyRunner {

@@ -5,7 +5,7 @@ source "$(dirname "$0")/common.sh"
 
 cat >study.yaml <<YAML
 base: $tiny
-set: {image.size_px: 112, render.samples: 2, render.max_samples: 2, sensor.exposure: 0.05}
+set: {image.size_px: 112, render.samples: 2, render.max_samples: 2, scene.canyon.detail: 0, scene.canyon.street_life: 0, scene.canyon.texel_m: 0.2}
 factors:
   exposure: {key: shutter.exposure_s, values: [0, 0.2]}
   lens: {key: lenses.equisolid.model, values: [equisolid, stereographic]}
@@ -59,6 +59,11 @@ cp whole/report/tables/effects.csv before.csv
 "$pfseq" study study.yaml --out whole --resume --quiet >/dev/null
 cmp -s before.csv whole/report/tables/effects.csv || fail "the report is another one"
 
+cp "$tiny" base.yaml
+sed "s|base: .*|base: base.yaml|; s/\\[1, 2\\]}/[1]}/; /lens:/d" study.yaml >own.yaml
+"$pfseq" study own.yaml --out own --quiet >/dev/null
+sed -i 's/detail: 0.2/detail: 0.3/' base.yaml
+expect_failure 2 "variant.yaml: was made from another study (line" "$pfseq" study own.yaml --out own --resume
 sed 's/values: \[0, 0.2\]/values: [0, 0.3]/' study.yaml >other.yaml
 expect_failure 2 "was made from another study (line" "$pfseq" study other.yaml --out whole --resume
 expect_failure 2 "missing.yaml" "$pfseq" study missing.yaml --out out

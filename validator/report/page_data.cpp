@@ -44,7 +44,8 @@ Json SourcesJson(const ResultSet& results) {
                        {"opencv", source.opencv_version},
                        {"command", source.command},
                        {"finished", source.finished},
-                       {"wall_s", source.wall_s}});
+                       {"wall_s", source.wall_s},
+                       {"credits", SequenceCredits(source.sequence_folder)}});
   }
   return sources;
 }
@@ -124,7 +125,8 @@ Json PicturesJson(const SequencePictures& pictures) {
     json["failures"].push_back({{"case", table.case_idx},
                                 {"setting", table.setup},
                                 {"radius", BinsJson(table.by_radius)},
-                                {"distance", BinsJson(table.by_distance)}});
+                                {"distance", BinsJson(table.by_distance)},
+                                {"blur", BinsJson(table.by_blur)}});
   }
   for (const DrivePath& drive : pictures.drives) {
     Json path = Json::array(), marks = Json::array();

@@ -64,14 +64,15 @@ struct Comparison {
   std::string text;
 };
 
+/// Triplets that are compared with each other where a study names none.
+inline constexpr size_t kMaxCompared = 4;
+
 /// The study's `compare`, or else all pairs of the best triplet (at the base) of each detector and
 /// descriptor, at most kMaxCompared of them; by matching score, detectors by repeatability.
 std::vector<Comparison> CompareSettings(const StudySpec& study,
                                         const StudyFactor& factor,
                                         const FactorTable& table,
                                         const ResultSet& results);
-
-inline constexpr size_t kMaxCompared = 5;
 
 /// "FREAK 44.0" and "SIFT" with "SIFT nopol 0.04 5.0 1.6 points, BruteForce": what tells two
 /// settings apart, and what they share (empty when that is nothing).

@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cmath>
+#include <set>
 #include <span>
 
 namespace pfseq {
@@ -159,13 +160,17 @@ std::string StudyPageHtml(const StudyContent& content) {
     json["factors"].push_back(FactorJson(content, i));
   }
   json["variants"] = Json::array();
+  std::set<std::string> credits;
   for (size_t i = 0; i < content.variants->size(); ++i) {
     const ResultsSource& source = results.sources[i];
     json["variants"].push_back({{"name", (*content.variants)[i].name},
                                 {"program", source.program_version},
                                 {"opencv", source.opencv_version},
                                 {"finished", source.finished}});
+    credits.insert(SequenceCredits(source.sequence_folder));
   }
+  credits.erase("");
+  json["credits"] = credits;
   json["pictures"] = Json::array();
   for (const StudyPicture& picture : content.pictures) {
     json["pictures"].push_back({{"factor", picture.factor_idx},

@@ -13,11 +13,18 @@
 namespace pfseq {
 namespace {
 
-/// A difference of shares in points of a hundred with its interval: "-3.1 (-4.0 to -2.2)".
+/// With a sign that is no hyphen.
+std::string SignedText(double points) {
+  const std::string text = fmt::format("{:.1f}", std::abs(points));
+  return (points < 0.0 ? "\u2212" : "+") + text;
+}
+
+/// A difference of shares in points of a hundred with its interval: "-3.1 [-4.0 to -2.2]".
 std::string PointsText(const Interval& interval) {
-  std::string text = fmt::format("{:+.1f}", 100.0 * interval.mean);
+  std::string text = SignedText(100.0 * interval.mean);
   if (!std::isnan(interval.low)) {
-    text += fmt::format(" ({:+.1f} to {:+.1f})", 100.0 * interval.low, 100.0 * interval.high);
+    text += fmt::format(
+        " [{} to {}]", SignedText(100.0 * interval.low), SignedText(100.0 * interval.high));
   }
   return text;
 }
@@ -111,18 +118,20 @@ std::string EffectText(const StudyFactor& factor, const Effect& effect, const st
     return fmt::format("{}: no {} to compare.", factor.title, metric);
   }
   const Interval& change = effect.changes[*greatest];
-  std::string text = fmt::format(
-      "{}: from {} to {} the {} changes by {} points of 100, the most",
-      factor.title,
-      factor.levels[factor.base_idx].label,
-      factor.levels[*greatest].label,
-      metric,
-      PointsText(change));
+  std::string text =
+      fmt::format("{}: the {} changes most from {} to {}, by {} points of 100",
+                  factor.title,
+                  metric,
+                  factor.levels[factor.base_idx].label,
+                  factor.levels[*greatest].label,
+                  PointsText(change));
+  if (!change.IsAbove0() && !change.IsBelow0()) {
+    text += ", which cannot be told from none";
+  }
   if (!std::isnan(effect.shares.levels)) {
-    text += fmt::format(
-        "; its levels explain {:.0f} % of the variance, places and scenes {:.0f} %",
-        100.0 * effect.shares.levels,
-        100.0 * effect.shares.samples);
+    text += fmt::format("; its levels explain {:.0f} % of the variance, places and scenes {:.0f} %",
+                        100.0 * effect.shares.levels,
+                        100.0 * effect.shares.samples);
   }
   return text + ".";
 }
@@ -138,12 +147,17 @@ std::string ComparisonText(const StudyFactor& factor,
         .push_back(level);
   }
   const std::string on = names.shared.empty() ? "" : fmt::format(" ({})", names.shared);
+  const auto by = [&](const std::vector<size_t>& levels) {
+    return fmt::format("{} at {}",
+                       PointsText(differences[levels.back()]),
+                       factor.levels[levels.back()].label);
+  };
   const auto at = [&](const std::vector<size_t>& levels) {
-    const size_t last = levels.back();
-    return fmt::format("{} (by {} at {})",
-                       LevelsText(factor, levels),
-                       PointsText(differences[last]),
-                       factor.levels[last].label);
+    return levels.size() == 1
+               ? fmt::format("{} ({})",
+                             factor.levels[levels[0]].label,
+                             PointsText(differences[levels[0]]))
+               : fmt::format("{} ({})", LevelsText(factor, levels), by(levels));
   };
   const std::string crossing = CrossingText(factor, differences);
   if (!ahead.empty() && !behind.empty()) {
@@ -175,16 +189,16 @@ std::string ComparisonText(const StudyFactor& factor,
                        crossing);
   }
   const bool is_ahead = !ahead.empty();
-  return fmt::format("{} is {} {}{} at {}{}.{}",
+  const std::vector<size_t>& sure = is_ahead ? ahead : behind;
+  return fmt::format("{} is {} {}{} at {}.{}",
                      names.a,
                      is_ahead ? "ahead of" : "behind",
                      names.b,
                      on,
-                     open.empty() ? "every level, " : "",
-                     at(is_ahead ? ahead : behind) +
-                         (open.empty() ? ""
-                                       : fmt::format("; at {} no difference can be told",
-                                                     LevelsText(factor, open))),
+                     open.empty() ? fmt::format("every level ({})", by(sure))
+                                  : fmt::format("{}; at {} no difference can be told",
+                                                at(sure),
+                                                LevelsText(factor, open)),
                      crossing);
 }
 

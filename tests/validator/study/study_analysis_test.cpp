@@ -98,8 +98,8 @@ TEST(CompareSettings, TellsWhoOvertakesWhere) {
   EXPECT_NEAR(comparisons[0].differences[0].mean, 0.25, 1e-3);
   EXPECT_THAT(comparisons[0].text,
               testing::AllOf(StartsWith("SIFT falls behind FREAK 44.0 (SIFT nopol 0.04 5.0 1.6 "
-                                        "points, BruteForce): ahead at 0, 0.1 (by +5.0"),
-                             HasSubstr("behind at 0.2 (by -14."),
+                                        "points, BruteForce): ahead at 0, 0.1 (+5.1 ["),
+                             HasSubstr("at 0.1), behind at 0.2 (\u221214.9 ["),
                              HasSubstr("cross at about 0.13.")));
 }
 
@@ -122,10 +122,10 @@ TEST(ComparisonText, SaysNothingWhereIntervalsHold0) {
   EXPECT_EQ(ComparisonText(factor, names, {open, open, open}),
             "A and B: no difference can be told at any level.");
   EXPECT_EQ(ComparisonText(factor, names, {open, ahead, ahead}),
-            "A is ahead of B at 0.1, 0.2 (by +2.0 (+1.0 to +3.0) at 0.2); at 0 no difference can be "
+            "A is ahead of B at 0.1, 0.2 (+2.0 [+1.0 to +3.0] at 0.2); at 0 no difference can be "
             "told.");
   EXPECT_EQ(ComparisonText(factor, names, {ahead, ahead, ahead}),
-            "A is ahead of B at every level, 0, 0.1, 0.2 (by +2.0 (+1.0 to +3.0) at 0.2).");
+            "A is ahead of B at every level (+2.0 [+1.0 to +3.0] at 0.2).");
 }
 
 TEST(EffectText, NamesTheGreatestChange) {
@@ -135,7 +135,7 @@ TEST(EffectText, NamesTheGreatestChange) {
       ValuesOf(table, fake.results.triplets, "matching_score", *fake.results.triplets.Find(kSift), 4),
       1);
   EXPECT_THAT(EffectText(fake.study.factors[0], effect, "matching score"),
-              StartsWith("shutter.exposure_s: from 0.1 to 0 the matching score changes by +"));
+              StartsWith("shutter.exposure_s: the matching score changes most from 0.1 to 0.2, by \u221219.9 ["));
 }
 
 TEST(MeanValuesOf, LeavesOutSettingsWithoutAValue) {

@@ -42,7 +42,7 @@ TEST(WriteStudyReport, TablesHoldMeansWithTheirIntervals) {
               HasSubstr("0 & \\textbf{0.400} {\\scriptsize$\\pm$1.271}"));
   EXPECT_THAT(ReadFile(folder / "report/tables/effects.csv"),
               HasSubstr(fmt::format(
-                  "fault,0.1,matching_score,{},0.04,2,0.3,-0.970621,1.57062,-0.1,-0.1,-0.1,0.2\n",
+                  "fault,0.1,matching_score,{},0.04,2,0.3,-0.97062,1.57062,-0.1,-0.1,-0.0999999,0.2\n",
                   kSetting)));
   EXPECT_THAT(ReadFile(folder / "report/figures/matching_score_over_fault.gp"),
               HasSubstr("(1 * $1):2:3:4 with yerrorlines"));
@@ -60,7 +60,7 @@ TEST(WriteStudyReport, WordsStandBesideEachOther) {
   WriteStudyReport(study, variants, WriteStudyResults(folder, variants));
   const std::string script = ReadFile(folder / "report/figures/matching_score_over_fault.gp");
   EXPECT_THAT(script, HasSubstr("set xtics rotate by -30 (\"none\" 0, \"a blur\" 1)"));
-  EXPECT_THAT(script, HasSubstr("($0 + -0.00):2:3:4 with yerrorbars"));
+  EXPECT_THAT(script, HasSubstr("($0 + 0.00):2:3:4 with yerrorbars"));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ function drawOverLevels(chart, factorIndex, curves, { title, format, order }) {
       min: -0.5, max: order.length - 0.5, interval: 1, splitLine: { show: false }, axisTick: { show: false },
       axisLabel: { show: false },
     }),
-    yAxis: axis(title, { nameGap: 46, scale: true }), series,
+    yAxis: axis(title, { nameGap: 46, scale: true, axisLine: { onZero: false, show: true, lineStyle: { color: chartColors().soft } } }), series,
   }, true);
   if (!factor.numeric) labelWords(chart, names, many);
 }

@@ -45,10 +45,10 @@ function levelOrder(factor) {
   return numeric ? order.sort((a, b) => numbers[a] - numbers[b]) : order;
 }
 
-// "+3.1 (+2.0 to +4.2)" in points of a hundred.
+// "+3.1 [+2.0 to +4.2]" in points of a hundred.
 function pointsText(interval) {
   const sign = (value) => `${value < 0 ? "−" : "+"}${Math.abs(100 * value).toFixed(1)}`;
   if (interval.mean === null) return "–";
-  return sign(interval.mean) + (interval.low === null ? "" : ` (${sign(interval.low)} to ${sign(interval.high)})`);
+  return sign(interval.mean) + (interval.low === null ? "" : ` [${sign(interval.low)} to ${sign(interval.high)}]`);
 }
 function percentText(share) { return share === null || Number.isNaN(share) ? "–" : `${Math.round(100 * share)} %`; }

@@ -33,6 +33,7 @@ function drawMade() {
       h("thead", null, h("tr", null, ["Variant", "Measured", "Programs"].map((text) => h("th", { scope: "col" }, text)))),
       h("tbody", null, study.variants.map((one) => h("tr", null, h("td", { class: "name" }, one.name), h("td", null, one.finished || "not recorded"),
         h("td", null, `pfseq ${one.program}, OpenCV ${one.opencv}`))))))));
+  study.credits.forEach((credits) => target.append(h("p", null, `Credits of the scene: ${credits}`)));
   const what = study.has_figures ? "script, SVG, PNG" : "script (gnuplot was missing)";
   target.append(h("details", null, h("summary", null, `${study.files.length} tables (CSV, LaTeX) and figures (${what}) lie beside this page`),
     h("ul", null, h("li", null, "All effects: tables/effects.csv"), study.files.map((file) => h("li", null, `${file.caption}: tables/${file.name}.csv, .tex; `,

@@ -11,18 +11,23 @@ function drawHeader() {
     `${plural(study.triplets.length, "triplet")} and ${plural(study.detectors.length, "detector")} on ${study.images} images, judged in 3D.`;
 }
 
+// On a phone the rows become blocks, each cell below its heading.
+function verdictTable(id, caption, headings, rows) {
+  return h("div", { class: "scroll" }, h("table", { class: "stack", id },
+    h("caption", null, caption),
+    h("thead", null, h("tr", null, headings.map((text, i) => h("th", { scope: "col", class: i > 0 ? "number" : null }, text)))),
+    h("tbody", null, rows.map(([name, ...cells]) => h("tr", null, h("th", { scope: "row" }, name),
+      cells.map((text, i) => h("td", { class: "number", "data-head": headings[i + 1] }, text)))))));
+}
+
 // The effect on the mean over the settings, level by level.
 function effectTable(factor) {
-  const triplets = factor.triplets_effect, detectors = factor.detectors_effect;
-  const cells = (effects, i) => [
-    h("td", { class: "number" }, effects.levels[i].mean === null ? "–" : effects.levels[i].mean.toFixed(3)),
-    h("td", { class: "number" }, i === factor.base ? "base" : pointsText(effects.changes[i]))];
-  return h("div", { class: "scroll" }, h("table", null,
-    h("caption", null, `Means over all settings within ${atTolerance}; change against ${factor.labels[factor.base]} in points of 100, with its 95 % interval, paired by ${factor.samples} samples`),
-    h("thead", null, h("tr", null, [factor.title, "Matching score", "change", "Repeatability", "change"].map((text, i) =>
-      h("th", { scope: "col", class: i > 0 ? "number" : null }, text)))),
-    h("tbody", null, levelOrder(study.factors.indexOf(factor)).map((i) => h("tr", null, h("th", { scope: "row" }, factor.labels[i]),
-      cells(triplets, i), cells(detectors, i))))));
+  const cells = (effects, i) => [effects.levels[i].mean === null ? "–" : effects.levels[i].mean.toFixed(3),
+    i === factor.base ? "base" : pointsText(effects.changes[i])];
+  return verdictTable(null,
+    `Means over all settings within ${atTolerance}; change against ${factor.labels[factor.base]} in points of 100, with its 95 % interval, paired by ${factor.samples} samples`,
+    [factor.title, "Matching score", "its change", "Repeatability", "its change"],
+    levelOrder(study.factors.indexOf(factor)).map((i) => [factor.labels[i], ...cells(factor.triplets_effect, i), ...cells(factor.detectors_effect, i)]));
 }
 
 function drawVerdict() {
@@ -36,13 +41,11 @@ function drawVerdict() {
   if (ranked.length > 1) {
     target.append(h("p", { class: "finding" }, h("strong", null, ranked[0].title), ` matters most: its levels explain ` +
       `${percentText(ranked[0].triplets_effect.explained)} of the variance of the triplets' mean matching score within ${atTolerance}.`));
-    target.append(h("div", { class: "scroll" }, h("table", { id: "ranking" },
-      h("caption", null, "Factors by the share of the variance that their levels explain (eta squared), each among the samples that differ in it alone"),
-      h("thead", null, h("tr", null, ["Factor", "Matching score", "range of means", "Repeatability", "range of means"].map((text, i) =>
-        h("th", { scope: "col", class: i > 0 ? "number" : null }, text)))),
-      h("tbody", null, ranked.map((factor) => h("tr", null, h("th", { scope: "row" }, factor.title),
-        [factor.triplets_effect, factor.detectors_effect].map((one) => [h("td", { class: "number" }, percentText(one.explained)),
-          h("td", { class: "number" }, one.range === null ? "–" : one.range.toFixed(3))])))))));
+    target.append(verdictTable("ranking",
+      "Factors by the share of the variance that their levels explain (eta squared), each among the samples that differ in it alone",
+      ["Factor", "Matching score", "range of its means", "Repeatability", "range of its means"],
+      ranked.map((factor) => [factor.title, ...[factor.triplets_effect, factor.detectors_effect].flatMap((one) =>
+        [percentText(one.explained), one.range === null ? "–" : one.range.toFixed(3)])])));
   }
   ranked.forEach((factor, i) => {
     target.append(h("p", { class: ranked.length === 1 ? "finding" : null }, factor.text));
