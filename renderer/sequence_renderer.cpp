@@ -132,6 +132,8 @@ RigFile MakeRigFile(const SequenceSpec& spec) {
 }
 
 RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& given_options) {
+  // A scene that is shared was made before, for others as well.
+  const double start_s = input.lit_scene != nullptr ? CpuSeconds() : 0.0;
   const RenderOptions options = WithOutputs(given_options, input.spec);
   PFSEQ_CHECK(options.num_shards >= 1 && options.shard_idx >= 0 &&
               options.shard_idx < options.num_shards);
@@ -202,7 +204,7 @@ RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& gi
   if (!options.quiet) {
     fmt::print(stderr,
                "CPU time: start {:.2f} s, light {:.2f} s, {} records {:.2f} s\n",
-               light_start_s,
+               light_start_s - start_s,
                frames_start_s - light_start_s,
                work.size(),
                frames_end_s - frames_start_s);

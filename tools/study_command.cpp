@@ -85,14 +85,13 @@ void RunStudy(StudyFlags& flags) {
 
 void AddStudyCommand(CLI::App& app) {
   auto flags = std::make_shared<StudyFlags>();
-  CLI::App* command =
-      app.add_subcommand("study", "Turns knobs of a sequence and measures what features make of it");
+  CLI::App* command = app.add_subcommand(
+      "study", "Turns knobs of a sequence and measures what features make of it");
   command->footer(kFooter);
   command->add_option("STUDY.yaml", flags->path, "Description of the study");
   command->add_option("--out", flags->options.out, "Folder of the study");
-  command->add_flag("--list,--dry-run",
-                    flags->is_list,
-                    "Only tells the variants and how long they will take");
+  command->add_flag(
+      "--list,--dry-run", flags->is_list, "Only tells the variants and how long they will take");
   command->add_flag("--resume", flags->options.resume, "Goes on with the study that is there");
   command
       ->add_option("--shard",

@@ -24,11 +24,11 @@ namespace {
 constexpr const char* kTimeFile = "time.json";
 
 // Rates on one core of the machine that they were measured on.
-constexpr double kRaysPerSecond = 1.0e6;
+constexpr double kRaysPerSecond = 7.2e5;
 constexpr double kSceneS = 15.0;
 /// Of light_quality 1; rays a record grow with its square, and records are no more than pixels.
 constexpr double kLightS = 120.0;
-constexpr double kRenderingSPerMegapixel = 40.0;
+constexpr double kRenderingSPerMegapixel = 32.0;
 constexpr double kSamplesOfRate = 8.0;
 /// Reading scene.glb for the judge.
 constexpr double kJudgeS = 4.0;

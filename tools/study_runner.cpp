@@ -161,8 +161,8 @@ void StudyRunner::Render(const StudyVariant& variant, const SequenceInput& input
   // The finished variant that has most of it already.
   size_t most = 0;
   for (const StudyVariant& other : variants_) {
-    if (&other == &variant || !std::filesystem::exists(VariantFolder(options_.out, other) /
-                                                       "sequence" / kManifestFile)) {
+    if (&other == &variant ||
+        !std::filesystem::exists(VariantFolder(options_.out, other) / "sequence" / kManifestFile)) {
       continue;
     }
     const std::vector<Output> same = SameOutputs(variant.spec, other.spec);
@@ -172,13 +172,11 @@ void StudyRunner::Render(const StudyVariant& variant, const SequenceInput& input
       most = worth;
       render.sibling = VariantFolder(options_.out, other) / "sequence";
       render.sibling_outputs.clear();
-      std::copy_if(same.begin(),
-                   same.end(),
-                   std::back_inserter(render.sibling_outputs),
-                   [&](Output output) {
-                     return std::find(render.outputs.begin(), render.outputs.end(), output) !=
-                            render.outputs.end();
-                   });
+      std::copy_if(
+          same.begin(), same.end(), std::back_inserter(render.sibling_outputs), [&](Output output) {
+            return std::find(render.outputs.begin(), render.outputs.end(), output) !=
+                   render.outputs.end();
+          });
     }
   }
   RenderSequence(input, render);

@@ -86,8 +86,8 @@ std::string Quoted(const std::string& text) {
   return quoted;
 }
 
-/// What gnuplot takes from the CSV for the curve'th of so many curves. Words stand at whole numbers,
-/// the curves a little apart.
+/// What gnuplot takes from the CSV for the curve'th of so many curves. Words stand at whole
+/// numbers, the curves a little apart.
 std::string Columns(const ReportTable& table, size_t column, size_t curve, size_t num_curves) {
   const size_t first = 2 + column * (table.HasIntervals() ? 3 : 1);
   const std::string limits =
@@ -95,7 +95,8 @@ std::string Columns(const ReportTable& table, size_t column, size_t curve, size_
   if (table.has_numbers) {
     return fmt::format("({:g} * $1):{}{}", table.axis_scale, first, limits);
   }
-  const double apart = 0.08 * (static_cast<double>(curve) - 0.5 * static_cast<double>(num_curves - 1));
+  const double apart =
+      0.08 * (static_cast<double>(curve) - 0.5 * static_cast<double>(num_curves - 1));
   return fmt::format("($0 + {:.2f}):{}{}", apart, first, limits);
 }
 
@@ -124,7 +125,8 @@ std::string GnuplotScript(const ReportTable& table) {
   text += fmt::format(fmt::runtime(kSvg), table.name, height_px);
   for (size_t i = 0; i < columns.size(); ++i) {
     text += fmt::format(
-        "  \"../tables/{}.csv\" every ::1 using {} with {} linecolor \"{}\" pointtype {} title \"{}\"{}\n",
+        "  \"../tables/{}.csv\" every ::1 using {} with {} linecolor \"{}\" pointtype {} title "
+        "\"{}\"{}\n",
         table.name,
         Columns(table, columns[i], i, columns.size()),
         table.HasIntervals() ? (table.has_numbers ? "yerrorlines" : "yerrorbars") : "linespoints",

@@ -58,7 +58,8 @@ FailureTable FailuresOf(size_t case_idx,
       bin.correct += judged[i].distance_m < kPictureToleranceM ? 1 : 0;
     };
     const double radius = (pixel_px - lens.PrincipalPointPx()).norm() / (0.5 * lens.CirclePx());
-    count(table.by_radius[std::min(kNumRadiusBins - 1, static_cast<size_t>(radius * kNumRadiusBins))]);
+    count(table.by_radius[std::min(kNumRadiusBins - 1,
+                                   static_cast<size_t>(radius * kNumRadiusBins))]);
     const auto& place = matches.points.first_m[matches.attempted[i].first];
     count(place ? table.by_distance[BinOf(kDistanceBinsM,
                                           (*place - matches.points.first_centre_m).norm())]

@@ -204,13 +204,14 @@ std::string TexText(const ReportTable& table, const std::string& origin) {
 \begin{{tabular}}{{r*{{{}}}{{r}}}}
 \toprule
 \rotatebox{{90}}{{{}}})tex";
-  std::string text = fmt::format(fmt::runtime(kHead),
-                                 origin,
-                                 TexEscaped(table.caption),
-                                 table.HasIntervals() ? " Behind $\\pm$: half of the 95\\,\\% interval." : "",
-                                 table.name,
-                                 table.settings.size(),
-                                 TexEscaped(table.row_title));
+  std::string text =
+      fmt::format(fmt::runtime(kHead),
+                  origin,
+                  TexEscaped(table.caption),
+                  table.HasIntervals() ? " Behind $\\pm$: half of the 95\\,\\% interval." : "",
+                  table.name,
+                  table.settings.size(),
+                  TexEscaped(table.row_title));
   for (const std::string& setting : table.settings) {
     text += fmt::format(" &\n\\rotatebox{{90}}{{{}}}", TexEscaped(setting));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables in the layout of the report of 2014: a column for each setting, a row for each tolerance (or
-// for each level of a study's factor).
+// Tables in the layout of the report of 2014: a column for each setting, a row for each tolerance
+// (or for each level of a study's factor).
 #pragma once
 
 #include "validator/report/result_set.h"
@@ -60,7 +60,7 @@ std::string TableFileName(const std::string& text);
 /// chooses.
 std::vector<ReportTable> MakeTables(const ResultSet& results);
 
-/// The row and a column for each setting; with intervals two more, "SETTING low" and "SETTING high".
+/// The row and a column for each setting; intervals take two more, "SETTING low" and "... high".
 std::string CsvText(const ReportTable& table);
 /// A table* of booktabs with rotated headings: best bold, second best underlined, half the interval
 /// behind -+. `origin` is the

@@ -113,9 +113,8 @@ VarianceShares SharesOfVariance(const std::vector<std::vector<double>>& values) 
   if (total <= 0.0) {
     return {kNone, kNone, kNone};
   }
-  return {of_levels / total,
-          of_samples / total,
-          std::max(0.0, total - of_levels - of_samples) / total};
+  return {
+      of_levels / total, of_samples / total, std::max(0.0, total - of_levels - of_samples) / total};
 }
 
 }  // namespace pfseq

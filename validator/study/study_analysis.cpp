@@ -80,7 +80,8 @@ FactorTable TableOfFactor(const StudySpec& study,
   FactorTable table;
   table.cases.resize(num_levels);
   for (const auto& [key, sample] : samples) {
-    if (std::all_of(sample.begin(), sample.end(), [](const auto& one) { return one.has_value(); })) {
+    if (std::all_of(
+            sample.begin(), sample.end(), [](const auto& one) { return one.has_value(); })) {
       for (size_t level = 0; level < num_levels; ++level) {
         table.cases[level].push_back(*sample[level]);
       }
@@ -170,10 +171,9 @@ std::vector<Comparison> CompareSettings(const StudySpec& study,
     for (size_t level = 0; level < of_a.size(); ++level) {
       comparison.differences.push_back(PairedInterval(of_a[level], of_b[level]));
     }
-    comparison.text =
-        ComparisonText(factor,
-                       ShortNamesOf(group.settings[a].name, group.settings[b].name),
-                       comparison.differences);
+    comparison.text = ComparisonText(factor,
+                                     ShortNamesOf(group.settings[a].name, group.settings[b].name),
+                                     comparison.differences);
     comparisons.push_back(std::move(comparison));
   };
   if (study.compare.empty()) {

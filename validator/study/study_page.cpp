@@ -91,6 +91,7 @@ Json FactorJson(const StudyContent& content, size_t factor_idx) {
   json["text"] = EffectText(factor, findings.triplets, "triplets' matching score");
   json["triplets_effect"] = EffectJson(findings.triplets);
   json["detectors_effect"] = EffectJson(findings.detectors);
+  json["detections_effect"] = EffectJson(findings.detections);
   for (const bool is_triplets : {true, false}) {
     const SettingGroup& group =
         is_triplets ? content.results->triplets : content.results->detectors;

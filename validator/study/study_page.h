@@ -13,9 +13,11 @@ namespace pfseq {
 /// What is told of a factor besides the effects on each setting.
 struct FactorFindings {
   FactorTable table;
-  /// Of the mean over all triplets' matching scores, and all detectors' repeatabilities.
+  /// Of the mean over all triplets' matching scores, all detectors' repeatabilities and their
+  /// numbers of detections in the first view.
   Effect triplets;
   Effect detectors;
+  Effect detections;
   std::vector<Comparison> comparisons;
 };
 

@@ -72,10 +72,9 @@ Image<uint8_t> Cropped(const Image<uint8_t>& image, const cv::Rect& place) {
 
 Image<uint8_t> Reduced(const Image<uint8_t>& image) {
   const int width_px = std::min(kWholePx, image.WidthPx());
-  Image<uint8_t> small(
-      width_px,
-      std::max(1, cvRound(1.0 * width_px * image.HeightPx() / image.WidthPx())),
-      image.NumChannels());
+  Image<uint8_t> small(width_px,
+                       std::max(1, cvRound(1.0 * width_px * image.HeightPx() / image.WidthPx())),
+                       image.NumChannels());
   cv::Mat place = MatOf(small);
   cv::resize(MatOf(image), place, place.size(), 0.0, 0.0, cv::INTER_AREA);
   return small;
@@ -89,8 +88,7 @@ std::optional<size_t> VariantAt(const StudySpec& study,
   for (size_t i = 0; i < variants.size(); ++i) {
     bool fits = variants[i].repetition_idx == 0;
     for (size_t f = 0; f < study.factors.size(); ++f) {
-      fits &= variants[i].level_idx[f] ==
-              (f == factor_idx ? level_idx : study.factors[f].base_idx);
+      fits &= variants[i].level_idx[f] == (f == factor_idx ? level_idx : study.factors[f].base_idx);
     }
     if (fits) {
       return i;
@@ -122,13 +120,13 @@ std::vector<StudyPicture> MakeStudyPictures(const StudySpec& study,
       for (const ReportCase& one : results.cases) {
         const std::string name =
             fmt::format("{} {}, {}", one.first.camera, one.first.frame, one.lens);
-        if (one.source_idx != *variant || shown.size() == kMaxViews ||
-            !shown.insert(name).second) {
+        if (one.source_idx != *variant || shown.size() == kMaxViews || !shown.insert(name).second) {
           continue;
         }
         const Image<uint8_t> image = views->ReadImage(one.lens, one.first, study.images);
-        auto known = std::find_if(
-            details.begin(), details.end(), [&](const auto& detail) { return detail.first == name; });
+        auto known = std::find_if(details.begin(), details.end(), [&](const auto& detail) {
+          return detail.first == name;
+        });
         if (known == details.end()) {
           known = details.insert(details.end(), {name, DetailOf(image, views->LensOf(one.lens))});
         }

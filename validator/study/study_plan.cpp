@@ -66,10 +66,10 @@ std::string NameOf(const StudySpec& study, const std::vector<size_t>& levels, si
   std::string name;
   for (size_t f = 0; f < levels.size(); ++f) {
     if (study.design == StudyDesign::kAllCombinations || levels[f] != study.factors[f].base_idx) {
-      name += (name.empty() ? "" : "__") +
-              fmt::format("{}_{}",
-                          study.factors[f].name,
-                          FolderName(study.factors[f].levels[levels[f]].label));
+      name +=
+          (name.empty() ? "" : "__") +
+          fmt::format(
+              "{}_{}", study.factors[f].name, FolderName(study.factors[f].levels[levels[f]].label));
     }
   }
   if (name.empty()) {
@@ -86,7 +86,8 @@ void CheckSelection(const StudySpec& study, const SequenceSpec& spec, const std:
     }
     for (const std::string& one : wanted) {
       if (!one.empty() && std::find(names.begin(), names.end(), one) == names.end()) {
-        throw InputError("{}: variant {} has no {}, only {}", what, name, one, fmt::join(names, ", "));
+        throw InputError(
+            "{}: variant {} has no {}, only {}", what, name, one, fmt::join(names, ", "));
       }
     }
   };
@@ -113,8 +114,7 @@ std::vector<StudyVariant> PlanVariants(const StudySpec& study) {
       while (!names.insert(name).second) {
         name += "_";  // Labels that differ only in what folders' names leave out.
       }
-      variants.push_back(
-          {name, levels, repetition, ReadChangedSequenceSpec(study.base, changes)});
+      variants.push_back({name, levels, repetition, ReadChangedSequenceSpec(study.base, changes)});
       CheckSelection(study, variants.back().spec, name);
     }
   }
@@ -126,16 +126,15 @@ std::string PlanSummary(const StudySpec& study, size_t num_variants) {
   for (const StudyFactor& factor : study.factors) {
     factors.push_back(fmt::format("{} {} levels", factor.name, factor.levels.size()));
   }
-  return fmt::format(
-      "{} ({}){}, {} repetition{}: {} variants",
-      factors.size() == 1 ? "1 factor" : fmt::format("{} factors", factors.size()),
-      fmt::join(factors, ", "),
-      factors.size() == 1                                  ? ""
-      : study.design == StudyDesign::kOneAtATime ? ", one at a time"
-                                                 : ", all combinations",
-      study.repetitions.size(),
-      study.repetitions.size() == 1 ? "" : "s",
-      num_variants);
+  return fmt::format("{} ({}){}, {} repetition{}: {} variants",
+                     factors.size() == 1 ? "1 factor" : fmt::format("{} factors", factors.size()),
+                     fmt::join(factors, ", "),
+                     factors.size() == 1                        ? ""
+                     : study.design == StudyDesign::kOneAtATime ? ", one at a time"
+                                                                : ", all combinations",
+                     study.repetitions.size(),
+                     study.repetitions.size() == 1 ? "" : "s",
+                     num_variants);
 }
 
 }  // namespace pfseq

@@ -19,7 +19,9 @@ namespace {
 /// A table shows as many settings as its figure has curves.
 constexpr size_t kMaxColumns = kMaxCurves;
 
-std::string NumberText(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
+std::string NumberText(double value) {
+  return std::isnan(value) ? "" : fmt::format("{:.6g}", value);
+}
 
 FactorFindings Findings(const StudySpec& study,
                         const std::vector<StudyVariant>& variants,
@@ -34,6 +36,7 @@ FactorFindings Findings(const StudySpec& study,
   };
   findings.triplets = effect(results.triplets, "matching_score");
   findings.detectors = effect(results.detectors, "repeatability");
+  findings.detections = effect(results.detectors, "detections_first");
   findings.comparisons = CompareSettings(study, factor, findings.table, results);
   return findings;
 }
@@ -72,9 +75,8 @@ std::vector<ReportTable> TablesOf(const StudySpec& study,
   for (const MetricName& metric : TableMetrics()) {
     for (const SettingGroup* group : {&content.results->detectors, &content.results->triplets}) {
       // Each metric is of one of the groups.
-      const bool is_of_group =
-          (group == &content.results->triplets) ==
-          (metric.id == "matching_score" || metric.id == "correct_matches");
+      const bool is_of_group = (group == &content.results->triplets) ==
+                               (metric.id == "matching_score" || metric.id == "correct_matches");
       if (!is_of_group || !group->Has(metric.id) || samples.NumSamples() == 0) {
         continue;
       }

@@ -87,8 +87,7 @@ double ReadTolerance(const YamlValue& root) {
     YamlNumber({})->Read(*value, "tolerance_m", tolerance_m);
     if (std::find(std::begin(kTolerancesM), std::end(kTolerancesM), tolerance_m) ==
         std::end(kTolerancesM)) {
-      FailExpected(
-          *value, "tolerance_m", fmt::format("one of {}", fmt::join(kTolerancesM, ", ")));
+      FailExpected(*value, "tolerance_m", fmt::format("one of {}", fmt::join(kTolerancesM, ", ")));
     }
   }
   return tolerance_m;
@@ -152,8 +151,7 @@ StudySpec ReadStudy(const std::filesystem::path& path) {
   study.changes = ReadChanges(root.Find("set"), "set");
   study.factors = ReadFactors(root);
   const std::string design = Choice(root, "design", {kOneAtATime, kAllCombinations});
-  study.design =
-      design == kOneAtATime ? StudyDesign::kOneAtATime : StudyDesign::kAllCombinations;
+  study.design = design == kOneAtATime ? StudyDesign::kOneAtATime : StudyDesign::kAllCombinations;
   study.repetitions = ReadRepetitions(root.Find("repetitions"));
   if (root.Find("pairs") == nullptr) {
     FailAtYaml(root, "pairs", "expected frames such as [24, 40] (as --pairs of pfseq bench)");

@@ -44,8 +44,8 @@ double CrossingAt(const StudyFactor& factor,
                   size_t after) {
   const double from = *factor.levels[before].number;
   const double to = *factor.levels[after].number;
-  const double share = differences[before].mean /
-                       (differences[before].mean - differences[after].mean);
+  const double share =
+      differences[before].mean / (differences[before].mean - differences[after].mean);
   return from + share * (to - from);
 }
 
@@ -80,7 +80,8 @@ std::string CrossingText(const StudyFactor& factor, const std::vector<Interval>&
     }
     last = level;
   }
-  return places.empty() ? "" : fmt::format(" The means cross at about {}.", fmt::join(places, ", "));
+  return places.empty() ? ""
+                        : fmt::format(" The means cross at about {}.", fmt::join(places, ", "));
 }
 
 }  // namespace
@@ -108,23 +109,21 @@ ShortNames ShortNamesOf(const std::string& a, const std::string& b) {
 
 std::string EffectText(const StudyFactor& factor, const Effect& effect, const std::string& metric) {
   std::vector<size_t> order = OrderOfLevels(factor);
-  const auto greatest =
-      std::max_element(order.begin(), order.end(), [&](size_t a, size_t b) {
-        const double of_a = std::abs(effect.changes[a].mean);
-        const double of_b = std::abs(effect.changes[b].mean);
-        return (std::isnan(of_a) ? -1.0 : of_a) < (std::isnan(of_b) ? -1.0 : of_b);
-      });
+  const auto greatest = std::max_element(order.begin(), order.end(), [&](size_t a, size_t b) {
+    const double of_a = std::abs(effect.changes[a].mean);
+    const double of_b = std::abs(effect.changes[b].mean);
+    return (std::isnan(of_a) ? -1.0 : of_a) < (std::isnan(of_b) ? -1.0 : of_b);
+  });
   if (std::isnan(effect.changes[*greatest].mean)) {
     return fmt::format("{}: no {} to compare.", factor.title, metric);
   }
   const Interval& change = effect.changes[*greatest];
-  std::string text =
-      fmt::format("{}: the {} changes most from {} to {}, by {} points of 100",
-                  factor.title,
-                  metric,
-                  factor.levels[factor.base_idx].label,
-                  factor.levels[*greatest].label,
-                  PointsText(change));
+  std::string text = fmt::format("{}: the {} changes most from {} to {}, by {} points of 100",
+                                 factor.title,
+                                 metric,
+                                 factor.levels[factor.base_idx].label,
+                                 factor.levels[*greatest].label,
+                                 PointsText(change));
   if (!change.IsAbove0() && !change.IsBelow0()) {
     text += ", which cannot be told from none";
   }
@@ -148,15 +147,13 @@ std::string ComparisonText(const StudyFactor& factor,
   }
   const std::string on = names.shared.empty() ? "" : fmt::format(" ({})", names.shared);
   const auto by = [&](const std::vector<size_t>& levels) {
-    return fmt::format("{} at {}",
-                       PointsText(differences[levels.back()]),
-                       factor.levels[levels.back()].label);
+    return fmt::format(
+        "{} at {}", PointsText(differences[levels.back()]), factor.levels[levels.back()].label);
   };
   const auto at = [&](const std::vector<size_t>& levels) {
     return levels.size() == 1
-               ? fmt::format("{} ({})",
-                             factor.levels[levels[0]].label,
-                             PointsText(differences[levels[0]]))
+               ? fmt::format(
+                     "{} ({})", factor.levels[levels[0]].label, PointsText(differences[levels[0]]))
                : fmt::format("{} ({})", LevelsText(factor, levels), by(levels));
   };
   const std::string crossing = CrossingText(factor, differences);
@@ -182,24 +179,21 @@ std::string ComparisonText(const StudyFactor& factor,
                        crossing);
   }
   if (ahead.empty() && behind.empty()) {
-    return fmt::format("{} and {}{}: no difference can be told at any level.{}",
-                       names.a,
-                       names.b,
-                       on,
-                       crossing);
+    return fmt::format(
+        "{} and {}{}: no difference can be told at any level.{}", names.a, names.b, on, crossing);
   }
   const bool is_ahead = !ahead.empty();
   const std::vector<size_t>& sure = is_ahead ? ahead : behind;
-  return fmt::format("{} is {} {}{} at {}.{}",
-                     names.a,
-                     is_ahead ? "ahead of" : "behind",
-                     names.b,
-                     on,
-                     open.empty() ? fmt::format("every level ({})", by(sure))
-                                  : fmt::format("{}; at {} no difference can be told",
-                                                at(sure),
-                                                LevelsText(factor, open)),
-                     crossing);
+  return fmt::format(
+      "{} is {} {}{} at {}.{}",
+      names.a,
+      is_ahead ? "ahead of" : "behind",
+      names.b,
+      on,
+      open.empty()
+          ? fmt::format("every level ({})", by(sure))
+          : fmt::format("{}; at {} no difference can be told", at(sure), LevelsText(factor, open)),
+      crossing);
 }
 
 }  // namespace pfseq

@@ -28,9 +28,10 @@ struct FakeStudy {
   std::vector<StudyVariant> variants;
   ResultSet results;
 
-  explicit FakeStudy(const std::string& factor =
-                         "  exposure: {key: shutter.exposure_s, values: [0, 0.1, 0.2], base: 0.1}\n",
-                     const std::string& more = "repetitions: {scene.canyon.seed: [4, 5]}\n")
+  explicit FakeStudy(
+      const std::string& factor =
+          "  exposure: {key: shutter.exposure_s, values: [0, 0.1, 0.2], base: 0.1}\n",
+      const std::string& more = "repetitions: {scene.canyon.seed: [4, 5]}\n")
       : study(StudyOf(folder, StudyText(factor, more))), variants(PlanVariants(study)) {
     std::vector<std::filesystem::path> folders;
     for (const StudyVariant& variant : variants) {
@@ -104,9 +105,9 @@ TEST(CompareSettings, TellsWhoOvertakesWhere) {
 }
 
 TEST(CompareSettings, TakesTheStudysPairsInTheirOrder) {
-  const FakeStudy fake("  exposure: {key: shutter.exposure_s, values: [0, 0.1, 0.2]}\n",
-                       "repetitions: {scene.canyon.seed: [4, 5]}\ncompare: [[" + kFreak + ", " +
-                           kSift + "]]\n");
+  const FakeStudy fake(
+      "  exposure: {key: shutter.exposure_s, values: [0, 0.1, 0.2]}\n",
+      "repetitions: {scene.canyon.seed: [4, 5]}\ncompare: [[" + kFreak + ", " + kSift + "]]\n");
   const FactorTable table = TableOfFactor(fake.study, fake.variants, fake.results, 0);
   const std::vector<Comparison> comparisons =
       CompareSettings(fake.study, fake.study.factors[0], table, fake.results);
@@ -132,10 +133,13 @@ TEST(EffectText, NamesTheGreatestChange) {
   const FakeStudy fake;
   const FactorTable table = TableOfFactor(fake.study, fake.variants, fake.results, 0);
   const Effect effect = EffectOf(
-      ValuesOf(table, fake.results.triplets, "matching_score", *fake.results.triplets.Find(kSift), 4),
+      ValuesOf(
+          table, fake.results.triplets, "matching_score", *fake.results.triplets.Find(kSift), 4),
       1);
-  EXPECT_THAT(EffectText(fake.study.factors[0], effect, "matching score"),
-              StartsWith("shutter.exposure_s: the matching score changes most from 0.1 to 0.2, by \u221219.9 ["));
+  EXPECT_THAT(
+      EffectText(fake.study.factors[0], effect, "matching score"),
+      StartsWith(
+          "shutter.exposure_s: the matching score changes most from 0.1 to 0.2, by \u221219.9 ["));
 }
 
 TEST(MeanValuesOf, LeavesOutSettingsWithoutAValue) {

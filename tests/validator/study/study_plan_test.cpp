@@ -59,8 +59,7 @@ TEST(PlanVariants, TakesWholeFilesFromTheStudysFolder) {
   WriteFileAtomically(folder / "faults/soft.yaml", "image_width_px: 1200\ndefocus_px: 3\n");
   WriteFileAtomically(folder / "faults/off.yaml", "image_width_px: 1200\n");
   const StudySpec study = StudyOf(
-      folder,
-      StudyText("  optics: {key: optics, values: [faults/off.yaml, faults/soft.yaml]}\n"));
+      folder, StudyText("  optics: {key: optics, values: [faults/off.yaml, faults/soft.yaml]}\n"));
   const std::vector<StudyVariant> variants = PlanVariants(study);
   EXPECT_THAT(NamesOf(variants), ElementsAre("base", "optics_soft"));
   EXPECT_EQ(variants[1].spec.optics.defocus_px, 3.0);
@@ -79,8 +78,9 @@ TEST(PlanVariants, TellsWhatASequenceCannotBe) {
   EXPECT_THAT(
       MessageOf<InputError>([&] { plan("  a: {key: shutter.exposur_s, values: [0, 1]}\n"); }),
       HasSubstr("did you mean exposure_s"));
-  EXPECT_THAT(MessageOf<InputError>([&] { plan("  a: {key: image.size_px, values: [9, -1]}\n"); }),
-              testing::AllOf(HasSubstr("study.yaml:5"), HasSubstr("image.size_px"), HasSubstr("-1")));
+  EXPECT_THAT(
+      MessageOf<InputError>([&] { plan("  a: {key: image.size_px, values: [9, -1]}\n"); }),
+      testing::AllOf(HasSubstr("study.yaml:5"), HasSubstr("image.size_px"), HasSubstr("-1")));
   EXPECT_THAT(MessageOf<InputError>([&] {
                 plan("  a: {key: image.size_px, values: [9, 10]}\n", "lenses: pinhole\n");
               }),

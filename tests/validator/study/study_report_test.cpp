@@ -29,21 +29,23 @@ StudyReportOptions WriteStudyResults(const TempFolder& folder,
 
 TEST(WriteStudyReport, TablesHoldMeansWithTheirIntervals) {
   const TempFolder folder;
-  const StudySpec study =
-      StudyOf(folder, StudyText("  fault: {key: shutter.exposure_s, title: Time (s), values: [0, 0.1]}\n"));
+  const StudySpec study = StudyOf(
+      folder, StudyText("  fault: {key: shutter.exposure_s, title: Time (s), values: [0, 0.1]}\n"));
   const std::vector<StudyVariant> variants = PlanVariants(study);
   const ReportSummary summary =
       WriteStudyReport(study, variants, WriteStudyResults(folder, variants));
   // Two samples 0.2 apart: s / sqrt(2) = 0.1, t(1) = 12.706.
-  EXPECT_EQ(ReadFile(folder / "report/tables/matching_score_over_fault.csv"),
-            fmt::format("fault,{0},{0} low,{0} high\n0,0.400,-0.871,1.671\n0.1,0.300,-0.971,1.571\n",
-                        kSetting));
+  EXPECT_EQ(
+      ReadFile(folder / "report/tables/matching_score_over_fault.csv"),
+      fmt::format("fault,{0},{0} low,{0} high\n0,0.400,-0.871,1.671\n0.1,0.300,-0.971,1.571\n",
+                  kSetting));
   EXPECT_THAT(ReadFile(folder / "report/tables/matching_score_over_fault.tex"),
               HasSubstr("0 & \\textbf{0.400} {\\scriptsize$\\pm$1.271}"));
-  EXPECT_THAT(ReadFile(folder / "report/tables/effects.csv"),
-              HasSubstr(fmt::format(
-                  "fault,0.1,matching_score,{},0.04,2,0.3,-0.97062,1.57062,-0.1,-0.1,-0.0999999,0.2\n",
-                  kSetting)));
+  EXPECT_THAT(
+      ReadFile(folder / "report/tables/effects.csv"),
+      HasSubstr(fmt::format(
+          "fault,0.1,matching_score,{},0.04,2,0.3,-0.97062,1.57062,-0.1,-0.1,-0.0999999,0.2\n",
+          kSetting)));
   EXPECT_THAT(ReadFile(folder / "report/figures/matching_score_over_fault.gp"),
               HasSubstr("(1 * $1):2:3:4 with yerrorlines"));
   EXPECT_THAT(ReadFile(summary.page), HasSubstr("Time (s)"));

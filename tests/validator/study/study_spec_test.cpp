@@ -54,7 +54,8 @@ TEST(ReadStudy, TellsFaultsInOneLine) {
   EXPECT_THAT(fault("  a: {key: image.size_px, values: [9, 10], base: 7}\n"),
               HasSubstr("expected one of 9, 10, got 7"));
   EXPECT_THAT(fault("  a: {key: image.size_px}\n"), HasSubstr("either key and values, or levels"));
-  EXPECT_THAT(fault("  a: {key: image.size_px, value: [9, 10]}\n"), HasSubstr("did you mean values"));
+  EXPECT_THAT(fault("  a: {key: image.size_px, value: [9, 10]}\n"),
+              HasSubstr("did you mean values"));
   EXPECT_THAT(fault(good + "  b: {key: image.size_px, values: [1, 2]}\n"),
               HasSubstr("sets image.size_px, as factor a does"));
   EXPECT_THAT(fault(""), HasSubstr("at least one factor"));

@@ -45,10 +45,12 @@ function levelOrder(factor) {
   return numeric ? order.sort((a, b) => numbers[a] - numbers[b]) : order;
 }
 
-// "+3.1 [+2.0 to +4.2]" in points of a hundred.
-function pointsText(interval) {
-  const sign = (value) => `${value < 0 ? "−" : "+"}${Math.abs(100 * value).toFixed(1)}`;
+// "+3.1 [+2.0 to +4.2]", a change with its interval; shares in points of a hundred.
+function changeText(interval, scale, decimals) {
+  const sign = (value) => `${value < 0 ? "−" : "+"}${Math.abs(scale * value).toFixed(decimals)}`;
   if (interval.mean === null) return "–";
   return sign(interval.mean) + (interval.low === null ? "" : ` [${sign(interval.low)} to ${sign(interval.high)}]`);
 }
+function pointsText(interval) { return changeText(interval, 100, 1); }
+function countText(interval) { return changeText(interval, 1, 0); }
 function percentText(share) { return share === null || Number.isNaN(share) ? "–" : `${Math.round(100 * share)} %`; }

@@ -22,12 +22,14 @@ function verdictTable(id, caption, headings, rows) {
 
 // The effect on the mean over the settings, level by level.
 function effectTable(factor) {
-  const cells = (effects, i) => [effects.levels[i].mean === null ? "–" : effects.levels[i].mean.toFixed(3),
-    i === factor.base ? "base" : pointsText(effects.changes[i])];
+  const cells = (effects, i, mean, change) => [effects.levels[i].mean === null ? "–" : mean(effects.levels[i].mean),
+    i === factor.base ? "base" : change(effects.changes[i])];
+  const share = (value) => value.toFixed(3), count = (value) => Math.round(value).toLocaleString("en");
   return verdictTable(null,
-    `Means over all settings within ${atTolerance}; change against ${factor.labels[factor.base]} in points of 100, with its 95 % interval, paired by ${factor.samples} samples`,
-    [factor.title, "Matching score", "its change", "Repeatability", "its change"],
-    levelOrder(study.factors.indexOf(factor)).map((i) => [factor.labels[i], ...cells(factor.triplets_effect, i), ...cells(factor.detectors_effect, i)]));
+    `Means over all settings within ${atTolerance}; change against ${factor.labels[factor.base]} (shares in points of 100) with its 95 % interval, paired by ${factor.samples} samples`,
+    [factor.title, "Matching score", "its change", "Repeatability", "its change", "Detections", "its change"],
+    levelOrder(study.factors.indexOf(factor)).map((i) => [factor.labels[i], ...cells(factor.triplets_effect, i, share, pointsText),
+      ...cells(factor.detectors_effect, i, share, pointsText), ...cells(factor.detections_effect, i, count, countText)]));
 }
 
 function drawVerdict() {
