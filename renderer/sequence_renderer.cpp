@@ -132,12 +132,15 @@ RigFile MakeRigFile(const SequenceSpec& spec) {
 }
 
 RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& given_options) {
+  // A scene that is shared was made before, for others as well.
+  const double start_s = input.lit_scene != nullptr ? CpuSeconds() : 0.0;
   const RenderOptions options = WithOutputs(given_options, input.spec);
   PFSEQ_CHECK(options.num_shards >= 1 && options.shard_idx >= 0 &&
               options.shard_idx < options.num_shards);
   Studio studio(input, options.num_threads);
   const std::vector<Record> records = SelectRecords(studio, options);
-  const SequenceWriter writer(options.folder, DescriptionFiles(input, studio), options.on_existing);
+  const SequenceWriter writer(
+      options.folder, DescriptionFiles(input, studio), options.on_existing, options.sibling);
   const RecordRenderer renderer(studio, input.spec, writer, options);
 
   RenderSummary summary;
@@ -149,6 +152,9 @@ RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& gi
     }
     if (static_cast<int>(i % static_cast<size_t>(options.num_shards)) == options.shard_idx) {
       ++summary.num_records;
+      for (const Output output : options.sibling_outputs) {
+        writer.LinkFrameFile(studio.FileOf(records[i], output));
+      }
       std::vector<Output> missing = renderer.Missing(records[i]);
       summary.num_files_kept += static_cast<int>(options.outputs.size() - missing.size());
       if (!missing.empty()) {
@@ -198,7 +204,7 @@ RenderSummary RenderSequence(const SequenceInput& input, const RenderOptions& gi
   if (!options.quiet) {
     fmt::print(stderr,
                "CPU time: start {:.2f} s, light {:.2f} s, {} records {:.2f} s\n",
-               light_start_s,
+               light_start_s - start_s,
                frames_start_s - light_start_s,
                work.size(),
                frames_end_s - frames_start_s);

@@ -16,6 +16,8 @@
 
 namespace pfseq {
 
+class LitScene;
+
 /// What to render of a sequence and how. Empty selections mean all.
 struct RenderOptions {
   std::filesystem::path folder;
@@ -32,6 +34,10 @@ struct RenderOptions {
   int num_threads = 1;
   bool quiet = false;
   LightCacheOptions light_cache;
+  /// A finished sequence of which these outputs would be the same bytes, and perhaps the scene:
+  /// they are linked (copied where the disk has no links), not rendered.
+  std::filesystem::path sibling;
+  std::vector<Output> sibling_outputs;
 };
 
 /// A description with all that it refers to.
@@ -42,6 +48,8 @@ struct SequenceInput {
   std::shared_ptr<const Lighting> lighting;
   /// Files of the description, written first: sequence.yaml, scene.glb, copies of input files.
   std::vector<DescriptionFile> files;
+  /// That of another input with the same LitSceneKey, or null: one is made for the run.
+  std::shared_ptr<LitScene> lit_scene;
 };
 
 struct RenderSummary {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/studio.h"
 
-#include "renderer/core/file.h"
+#include "renderer/core/check.h"
 #include "renderer/sequence/sequence_model.h"
-#include "renderer/sequence/sequence_schema.h"
 
 namespace pfseq {
 namespace {
@@ -11,39 +10,15 @@ namespace {
 /// Standard error of a pixel at which it gets no more samples, relative to its value.
 constexpr float kNoiseTolerance = 0.06F;
 
-/// Stands for all that the light in a scene depends on.
-std::string LightHash(const SequenceInput& input) {
-  LightSpec light = input.spec.light;
-  // Its bytes count, not its name.
-  light.sky.map.clear();
-  std::string text = CanonicalYaml(light);
-  for (const DescriptionFile& file : input.files) {
-    if (file.name == kSceneFile || file.name == kExrSkyMapFile || file.name == kHdrSkyMapFile) {
-      text += Sha256Hex(file.bytes);
-    }
-  }
-  return Sha256Hex(text);
-}
-
 }  // namespace
 
 Studio::Studio(const SequenceInput& input, int num_threads)
-    : input_(input),
-      spec_(input.spec),
+    : spec_(input.spec),
       rig_(MakeRigFile(input.spec)),
       poses_(FramePoses(input.spec.trajectory)),
       trajectory_(MakeTrajectory(input.spec.trajectory)),
-      scene_(input.scene),
-      textures_(*input.scene),
-      lighting_(input.lighting != nullptr ? input.lighting
-                                          : std::make_shared<const Lighting>(
-                                                MakeLighting(input.spec.light, input.scene->sun))),
-      tracer_(scene_,
-              textures_,
-              *lighting_,
-              PathTracerOptions{.max_bounces = input.spec.render.max_bounces,
-                                .min_indirect_roughness =
-                                    static_cast<float>(input.spec.render.min_indirect_roughness)}) {
+      scene_(input.lit_scene != nullptr ? input.lit_scene : std::make_shared<LitScene>(input)) {
+  PFSEQ_CHECK(scene_->Key() == LitSceneKey(spec_), "the lit scene is that of another description");
   for (const auto& lens : rig_.lenses) {
     rasters_.push_back(
         std::make_unique<LensRaster>(lens.value, rig_.width_px, rig_.height_px, num_threads));
@@ -51,18 +26,9 @@ Studio::Studio(const SequenceInput& input, int num_threads)
   }
 }
 
-void Studio::LoadLight(const LightCacheOptions& options) {
-  std::vector<Vec3d> positions_m;
-  for (const StampedPose& pose : poses_) {
-    positions_m.push_back(pose.world_from_rig.translation_m);
-  }
-  light_ = std::make_unique<CachedLight>(
-      scene_, textures_, *lighting_, spec_.render, positions_m, LightHash(input_), options);
-}
-
 PixelSampling Studio::Sampling() const {
   // White paint in the open, without the sun, is pi times as bright as this.
-  const float reference = Luminance(lighting_->sky.HorizontalIrradiance()) / 10.0F;
+  const float reference = Luminance(scene_->Light().sky.HorizontalIrradiance()) / 10.0F;
   return {spec_.render.samples, spec_.render.max_samples, kNoiseTolerance, reference};
 }
 

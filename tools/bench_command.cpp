@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/core/error.h"
-#include "renderer/core/parse_number.h"
 #include "tools/commands.h"
 #include "tools/common_options.h"
 #include "validator/benchmark/benchmark.h"
 #include "validator/benchmark/results_writer.h"
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -69,18 +68,6 @@ void List(const Grid& grid) {
   fmt::print("\n{}", GridSummary(grid));
 }
 
-/// "I/N" with 0 <= I < N, as for rendering.
-void ReadShard(const std::string& text, BenchmarkOptions& options) {
-  const size_t slash = std::min(text.find('/'), text.size());
-  const int shard = ParseNumber<int>(text.substr(0, slash)).value_or(-1);
-  const int count = ParseNumber<int>(text.substr(std::min(slash + 1, text.size()))).value_or(0);
-  if (shard < 0 || count <= shard) {
-    throw InputError("--shard {}: expected I/N with I from 0 to N - 1", text);
-  }
-  options.shard = shard;
-  options.num_shards = count;
-}
-
 void RunBench(BenchFlags& flags) {
   const Grid grid = GridOf(flags);
   if (flags.is_list) {
@@ -100,7 +87,7 @@ void RunBench(BenchFlags& flags) {
     throw InputError("--successive: expected without --pairs, got both");
   }
   options.judge = flags.judge == "map" ? Judge::kMap : Judge::kRay;
-  ReadShard(flags.shard, options);
+  std::tie(options.shard, options.num_shards) = ParseShard(flags.shard);
   options.num_threads = flags.run.num_threads;
   options.quiet = flags.run.quiet;
   options.stages = flags.out / "stages";

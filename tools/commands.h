@@ -18,6 +18,7 @@ void AddLensCommand(CLI::App& app);
 void AddBenchCommand(CLI::App& app);
 void AddReportCommand(CLI::App& app);
 void AddViewCommand(CLI::App& app);
+void AddStudyCommand(CLI::App& app);
 void AddKeysCommand(CLI::App& app);
 
 }  // namespace pfseq

@@ -2,22 +2,20 @@
 #include "tools/common_options.h"
 
 #include "renderer/core/error.h"
-#include "renderer/core/file.h"
 #include "renderer/core/parallel.h"
-#include "renderer/film/exposure.h"
-#include "renderer/metering.h"
-#include "renderer/sequence/image_io.h"
+#include "renderer/core/parse_number.h"
 #include "renderer/sequence/sequence_schema.h"
-#include "renderer/trace/lighting.h"
-#include "scenes/catalog.h"
-#include "scenes/gltf/gltf_writer.h"
+#include "tools/sequence_input.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace pfseq {
 namespace {
@@ -38,21 +36,6 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
     }
     text.remove_prefix(position + 1);
   }
-}
-
-/// Gives the scene the sun that lights it (not dimmed by clouds, which are the sky's).
-Lighting SettleLight(const SequenceSpec& spec, Scene& scene) {
-  Lighting lighting = MakeLighting(spec.light, scene.sun);
-  if (spec.light.sky.model == "map") {
-    scene.sun.reset();
-    if (lighting.sun.has_value()) {
-      scene.sun = Sun{lighting.sun->DirectionToSun().cast<float>(), lighting.sun->Irradiance()};
-    }
-  }
-  if (spec.light.sun.has_value()) {
-    scene.sun = MakeSun(*spec.light.sun, spec.light.sky.turbidity);
-  }
-  return lighting;
 }
 
 }  // namespace
@@ -136,42 +119,46 @@ std::vector<int> ParseFrames(const std::string& text) {
 }
 
 SequenceInput LoadSequenceInput(const DescriptionFlags& flags) {
-  SequenceInput input;
-  input.spec = ReadSequenceSpec(flags.path, flags.overrides);
-  Scene scene = LoadScene(input.spec, "");
-  input.lighting = std::make_shared<const Lighting>(SettleLight(input.spec, scene));
-  input.scene = std::make_shared<const Scene>(std::move(scene));
-  if (!input.spec.sensor.exposure.has_value()) {
-    input.spec.sensor.exposure =
-        input.spec.sensor.metering == "frame"
-            ? MeteredExposure(input.spec, input.scene, *input.lighting, NumHardwareThreads())
-            : AutoExposure(*input.lighting);
-  }
+  return LoadSequenceInput(ReadSequenceSpec(flags.path, flags.overrides));
+}
 
-  // The written description refers to the copies in its own folder.
-  SequenceSpec written = input.spec;
-  const bool has_photos = !written.scene.canyon.facades.empty();
-  if (!written.scene.gltf.empty() || has_photos) {
-    written.scene.gltf = kSceneFile;
+std::pair<int, int> ParseShard(const std::string& text) {
+  const size_t slash = std::min(text.find('/'), text.size());
+  const int shard = ParseNumber<int>(text.substr(0, slash)).value_or(-1);
+  const int count = ParseNumber<int>(text.substr(std::min(slash + 1, text.size()))).value_or(0);
+  if (shard < 0 || count <= shard) {
+    throw InputError("--shard {}: expected I/N with I from 0 to N - 1", text);
   }
-  const auto copy = [&](std::string& path, std::string_view name) {
-    if (!path.empty()) {
-      input.files.push_back({std::string(name), ReadFile(path)});
-      path = name;
+  return {shard, count};
+}
+
+std::string DefaultLightCache() {
+  for (const auto& [variable, below] :
+       {std::pair("XDG_CACHE_HOME", "pfseq/light"), std::pair("HOME", ".cache/pfseq/light")}) {
+    const char* folder = std::getenv(variable);
+    if (folder != nullptr && *folder != '\0') {
+      return (std::filesystem::path(folder) / below).string();
     }
-  };
-  copy(written.trajectory.tum, kTumInputFile);
-  copy(written.trajectory.csv, kCsvInputFile);
-  std::string& map = written.light.sky.map;
-  copy(map, map.empty() || IsExr(ReadFile(map)) ? kExrSkyMapFile : kHdrSkyMapFile);
-  const std::string credits = SceneCredits(input.spec, "");
-  std::string yaml = CanonicalYaml(written);
-  if (!credits.empty()) {
-    yaml += "# " + credits + "\n";
   }
-  input.files.insert(input.files.begin(), {std::string(kSequenceFile), yaml});
-  input.files.push_back({std::string(kSceneFile), GlbBytes(*input.scene, credits)});
-  return input;
+  return {};
+}
+
+void AddLightFlags(CLI::App& command, LightFlags& flags) {
+  command
+      .add_option("--light-cache",
+                  flags.cache,
+                  "Folder where computed light is kept for later runs; none: keep it nowhere")
+      ->capture_default_str();
+  command
+      .add_option("--light-memory",
+                  flags.memory_mib,
+                  "Memory for computed light in MiB; what does not fit is computed again and again")
+      ->check(CLI::Range(16, 1 << 20))
+      ->capture_default_str();
+}
+
+LightCacheOptions LightFlags::Options() const {
+  return {cache == "none" ? "" : cache, int64_t{memory_mib} << 20};
 }
 
 }  // namespace pfseq

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -36,6 +37,20 @@ struct DescriptionFlags {
   std::vector<std::string> overrides;
 };
 void AddDescriptionFlags(CLI::App& command, DescriptionFlags& flags);
+
+/// "I/N" with 0 <= I < N as (I, N). InputError otherwise.
+std::pair<int, int> ParseShard(const std::string& text);
+
+/// --light-cache and --light-memory. By default light is kept where programs keep what they can
+/// make again (the XDG Base Directory Specification).
+std::string DefaultLightCache();
+struct LightFlags {
+  std::string cache = DefaultLightCache();
+  int memory_mib = 4096;
+
+  LightCacheOptions Options() const;
+};
+void AddLightFlags(CLI::App& command, LightFlags& flags);
 
 /// "0,24,40", "0:64:2" (start:stop:step, stop not included), or a mixture with commas. InputError
 /// otherwise.

@@ -18,6 +18,7 @@ Examples:
   pfseq check out/pfseq
   pfseq bench out/pfseq --out out/pfseq_bench
   pfseq report out/pfseq_bench --out out/report
+  pfseq study data/studies/blur.yaml --out out/blur
   pfseq view out/pfseq
   pfseq keys                      what can be set in a SEQUENCE.yaml and with --set
   pfseq COMMAND --help            flags and examples of one command
@@ -38,6 +39,7 @@ int Run(int argc, char** argv) {
   pfseq::AddLensCommand(app);
   pfseq::AddBenchCommand(app);
   pfseq::AddReportCommand(app);
+  pfseq::AddStudyCommand(app);
   pfseq::AddViewCommand(app);
   pfseq::AddKeysCommand(app);
   try {

@@ -5,8 +5,8 @@
 #include "tools/common_options.h"
 
 #include <charconv>
-#include <cstdlib>
 #include <memory>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -26,18 +26,6 @@ Examples:
 A stopped run goes on with --resume and ends with the same bytes. manifest.json is written last: its presence means
 that all that was asked for is there.)";
 
-/// Where programs keep what they can make again: the XDG Base Directory Specification.
-std::string DefaultLightCache() {
-  for (const auto& [variable, below] :
-       {std::pair("XDG_CACHE_HOME", "pfseq/light"), std::pair("HOME", ".cache/pfseq/light")}) {
-    const char* folder = std::getenv(variable);
-    if (folder != nullptr && *folder != '\0') {
-      return (std::filesystem::path(folder) / below).string();
-    }
-  }
-  return {};
-}
-
 struct RenderFlags {
   DescriptionFlags description;
   SelectionFlags selection;
@@ -48,22 +36,21 @@ struct RenderFlags {
   bool overwrite = false;
   std::string shard;
   std::string pixel;
-  std::string light_cache = DefaultLightCache();
-  int light_memory_mib = 4096;
+  LightFlags light;
 };
 
-/// "A<separator>B" as two whole numbers >= 0.
-std::pair<int, int> ParsePair(const std::string& flag, const std::string& text, char separator) {
+/// "X,Y" as two whole numbers >= 0.
+std::pair<int, int> ParsePixel(const std::string& text) {
   std::pair<int, int> pair;
   const char* end = text.data() + text.size();
   const auto [middle, error] = std::from_chars(text.data(), end, pair.first);
-  if (error == std::errc() && middle != end && *middle == separator) {
+  if (error == std::errc() && middle != end && *middle == ',') {
     const auto [last, second_error] = std::from_chars(middle + 1, end, pair.second);
     if (second_error == std::errc() && last == end && pair.first >= 0 && pair.second >= 0) {
       return pair;
     }
   }
-  throw InputError("{} {}: expected two whole numbers as A{}B", flag, text, separator);
+  throw InputError("--pixel {}: expected two whole numbers as X,Y", text);
 }
 
 RenderOptions MakeOptions(const RenderFlags& flags) {
@@ -78,24 +65,18 @@ RenderOptions MakeOptions(const RenderFlags& flags) {
       options.outputs.push_back(OutputFromName(name));
     }
   }
-  options.light_cache.folder = flags.light_cache == "none" ? "" : flags.light_cache;
-  options.light_cache.max_memory_bytes = int64_t{flags.light_memory_mib} << 20;
+  options.light_cache = flags.light.Options();
   options.num_threads = flags.run.num_threads;
   options.quiet = flags.run.quiet;
   options.on_existing = flags.overwrite ? OnExisting::kOverwrite
                         : flags.resume  ? OnExisting::kResume
                                         : OnExisting::kRefuse;
   if (!flags.shard.empty()) {
-    const auto [shard_idx, num_shards] = ParsePair("--shard", flags.shard, '/');
-    if (shard_idx >= num_shards) {
-      throw InputError("--shard {}: expected I/N with I from 0 to N - 1", flags.shard);
-    }
     if (flags.overwrite) {
       throw InputError("--shard {}: does not go with --overwrite: shards share a folder",
                        flags.shard);
     }
-    options.shard_idx = shard_idx;
-    options.num_shards = num_shards;
+    std::tie(options.shard_idx, options.num_shards) = ParseShard(flags.shard);
     // Whichever shard starts first writes the description; the others find it there.
     options.on_existing = OnExisting::kResume;
   }
@@ -103,7 +84,7 @@ RenderOptions MakeOptions(const RenderFlags& flags) {
 }
 
 void PrintPixel(const RenderFlags& flags) {
-  const auto [x, y] = ParsePair("--pixel", flags.pixel, ',');
+  const auto [x, y] = ParsePixel(flags.pixel);
   const std::vector<int> frames = ParseFrames(flags.selection.frames);
   if (frames.size() != 1 || flags.selection.cameras.size() != 1 ||
       flags.selection.lenses.size() != 1) {
@@ -167,18 +148,7 @@ void AddRenderCommand(CLI::App& app) {
       "--shard", flags->shard, "I/N: render each N-th record, starting with I; implies --resume");
   command->add_option(
       "--pixel", flags->pixel, "X,Y: print what this pixel sees instead of writing anything");
-  command
-      ->add_option("--light-cache",
-                   flags->light_cache,
-                   "Folder where computed light is kept for later runs; none: keep it nowhere")
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--light-memory",
-          flags->light_memory_mib,
-          "Memory for computed light in MiB; what does not fit is computed again and again")
-      ->check(CLI::Range(16, 1 << 20))
-      ->capture_default_str();
+  AddLightFlags(*command, flags->light);
   AddRunFlags(*command, flags->run);
   command->callback([flags] { RunRender(*flags); });
 }

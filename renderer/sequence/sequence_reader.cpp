@@ -86,7 +86,8 @@ std::vector<int> SequenceReader::Frames(const std::string& lens,
   if (std::filesystem::is_directory(folder)) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       const auto file = FrameFile::FromRelativePath(entry.path().lexically_relative(folder_));
-      if (file.has_value()) {
+      // Realistic frames of both formats lie in one folder.
+      if (file.has_value() && file->output == output) {
         frames.push_back(file->frame);
       }
     }

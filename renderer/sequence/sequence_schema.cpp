@@ -166,6 +166,21 @@ SequenceSpec ReadSequenceSpec(const std::filesystem::path& path,
   return spec;
 }
 
+SequenceSpec ReadChangedSequenceSpec(const std::filesystem::path& path,
+                                     const std::vector<SpecChange>& changes) {
+  YamlValue root = ReadYamlMapping(path, "sequence");
+  ReadParts(root);
+  for (const SpecChange& change : changes) {
+    YamlOrigin origin = change.value.origin;
+    origin.where += fmt::format(": {}", change.key);
+    SetYamlKey(change.key, change.value, origin, root);
+    ReadParts(root);
+  }
+  SequenceSpec spec;
+  SequenceSchema()->Read(root, "", spec);
+  return spec;
+}
+
 std::string CanonicalYaml(const SequenceSpec& spec) {
   return YamlText(SequenceSchema()->Write(spec));
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "renderer/sequence/sequence_spec.h"
+#include "renderer/sequence/yaml_value.h"
 
 #include <filesystem>
 #include <string>
@@ -18,6 +19,17 @@ namespace pfseq {
 /// "FILE:LINE: KEY: expected ..., got ..." or "--set KEY=VALUE: expected ..., got ...".
 SequenceSpec ReadSequenceSpec(const std::filesystem::path& path,
                               const std::vector<std::string>& overrides = {});
+
+/// A key of a description, set from another file; the value knows its place and folder.
+struct SpecChange {
+  std::string key;
+  YamlValue value;
+};
+
+/// The same with keys that another file sets, where its relative paths start. InputError
+/// "OTHER FILE:LINE: KEY: expected ..., got ...".
+SequenceSpec ReadChangedSequenceSpec(const std::filesystem::path& path,
+                                     const std::vector<SpecChange>& changes);
 
 /// The description with all defaults written out, in the order of the schema, and the program's
 /// version. Reading it gives the same spec, and that the same text.

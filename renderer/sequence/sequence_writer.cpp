@@ -73,12 +73,23 @@ void ExpectSameIfPresent(const std::filesystem::path& folder, const DescriptionF
   }
 }
 
+/// Whole or not at all, like a file that is written.
+void LinkOrCopy(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::create_directories(to.parent_path(), error);
+  std::filesystem::create_hard_link(from, to, error);
+  if (error && error != std::errc::file_exists) {
+    WriteFileAtomically(to, ReadFile(from));
+  }
+}
+
 }  // namespace
 
 SequenceWriter::SequenceWriter(std::filesystem::path folder,
                                const std::vector<DescriptionFile>& description,
-                               OnExisting on_existing)
-    : folder_(std::move(folder)) {
+                               OnExisting on_existing,
+                               std::filesystem::path sibling)
+    : folder_(std::move(folder)), sibling_(std::move(sibling)) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) {
@@ -105,7 +116,13 @@ SequenceWriter::SequenceWriter(std::filesystem::path folder,
     ExpectSameIfPresent(folder_, file);
   }
   for (const DescriptionFile& file : description) {
-    if (!std::filesystem::exists(folder_ / file.name)) {
+    if (std::filesystem::exists(folder_ / file.name)) {
+      continue;
+    }
+    const std::filesystem::path same = sibling_ / file.name;
+    if (!sibling_.empty() && std::filesystem::exists(same) && ReadFile(same) == file.bytes) {
+      LinkOrCopy(same, folder_ / file.name);
+    } else {
       WriteFileAtomically(folder_ / file.name, file.bytes);
     }
   }
@@ -118,6 +135,13 @@ bool SequenceWriter::Has(const FrameFile& file) const {
 
 void SequenceWriter::WriteFrameFile(const FrameFile& file, const Bytes& bytes) const {
   WriteFileAtomically(folder_ / file.RelativePath(), bytes);
+}
+
+void SequenceWriter::LinkFrameFile(const FrameFile& file) const {
+  const std::filesystem::path from = sibling_ / file.RelativePath();
+  if (!sibling_.empty() && !Has(file) && std::filesystem::exists(from)) {
+    LinkOrCopy(from, folder_ / file.RelativePath());
+  }
 }
 
 bool SequenceWriter::FinishIfComplete(const std::vector<FrameFile>& expected,

@@ -30,15 +30,20 @@ class SequenceWriter {
  public:
   /// Makes the folder and writes the description's files. With kResume, those that are there
   /// already must have the very same bytes: InputError names the file that differs. A folder that
-  /// holds other things than a sequence is refused.
+  /// holds other things than a sequence is refused. Files that `sibling`, another sequence's folder
+  /// or empty, has with the same bytes are linked to (copied where the disk has no links).
   SequenceWriter(std::filesystem::path folder,
                  const std::vector<DescriptionFile>& description,
-                 OnExisting on_existing);
+                 OnExisting on_existing,
+                 std::filesystem::path sibling = {});
 
   /// True when the file is there already, from a run that is being resumed.
   bool Has(const FrameFile& file) const;
 
   void WriteFrameFile(const FrameFile& file, const Bytes& bytes) const;
+
+  /// Takes the sibling's file, unless the sibling has none or the file is there already.
+  void LinkFrameFile(const FrameFile& file) const;
 
   /// When all expected files are there: removes what killed runs left under temporary names, writes
   /// the manifest over all files of the folder, and returns true.
@@ -46,6 +51,7 @@ class SequenceWriter {
 
  private:
   std::filesystem::path folder_;
+  std::filesystem::path sibling_;
 };
 
 }  // namespace pfseq

@@ -268,10 +268,16 @@ void ApplyOverride(const std::string& override_text, YamlValue& root) {
   if (equals == std::string::npos) {
     throw InputError("{}: expected KEY=VALUE", where);
   }
-  const std::string key = override_text.substr(0, equals);
-  const YamlOrigin origin{where, key, {}, false};
+  SetYamlKey(override_text.substr(0, equals),
+             ParseDocument(override_text.substr(equals + 1), where, {}, false),
+             {where, "", {}, false},
+             root);
+}
+
+void SetYamlKey(const std::string& key, YamlValue value, YamlOrigin origin, YamlValue& root) {
+  origin.override_key = key;
   YamlValue* target = &root;
-  for (const std::string& part : SplitKey(key, where)) {
+  for (const std::string& part : SplitKey(key, origin.where)) {
     // A place above the target that holds no mapping becomes one; the reader tells if none belongs
     // there.
     if (target->kind != YamlValue::Kind::kMapping) {
@@ -287,7 +293,7 @@ void ApplyOverride(const std::string& override_text, YamlValue& root) {
     }
     target = next;
   }
-  *target = ParseDocument(override_text.substr(equals + 1), where, {}, false);
+  *target = std::move(value);
   MarkAsOverride(origin, *target);
 }
 

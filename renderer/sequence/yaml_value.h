@@ -66,6 +66,10 @@ YamlValue ReadYaml(const std::filesystem::path& path);
 /// on the way are made. InputError "--set ...: ..." when the text is not of that form.
 void ApplyOverride(const std::string& override_text, YamlValue& root);
 
+/// The same of a value that was read already; it and all in it become an override from `origin`.
+/// InputError when the key is not of the form "a.b.c".
+void SetYamlKey(const std::string& key, YamlValue value, YamlOrigin origin, YamlValue& root);
+
 /// Block style, lists in one line, two spaces a level, newline at the end.
 std::string YamlText(const YamlValue& root);
 

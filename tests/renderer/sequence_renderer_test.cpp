@@ -3,6 +3,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
+#include "renderer/lit_scene.h"
 #include "renderer/sequence/manifest.h"
 #include "renderer/sequence/sequence_reader.h"
 #include "tests/support/expect_error.h"
@@ -10,6 +11,7 @@
 #include "tests/support/temp_folder.h"
 
 #include <algorithm>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -36,6 +38,25 @@ SequenceInput Room() {
   spec.render.light_quality = 0.2;
   input.scene = BoxScene(Vec3f(-10, -6, -0.1F), Vec3f(50, 6, 20));
   input.files = {{"sequence.yaml", "room"}, {"scene.glb", "glb"}};
+  return input;
+}
+
+/// A beam beside the street, away from the sun, before a camera that has every fault.
+SequenceInput RealisticRoom() {
+  SequenceInput input = Room();
+  input.scene = BoxScene(Vec3f(-10, -6, 5), Vec3f(50, -2, 6));
+  SequenceSpec& spec = input.spec;
+  spec.trajectory.drive.stop_s = 0.0;
+  spec.shutter = {.exposure_s = 0.2, .ramp = 0.2, .readout_s = 0.1};
+  spec.optics.lateral_color.rim_px = 1.0;
+  spec.optics.blur = {0.5, {1.0, 0.7}};
+  spec.optics.vignetting.natural = 0.3;
+  spec.optics.rim.width_px = 2.0;
+  spec.optics.glare = {.bloom = 0.02, .bloom_radius_px = 3.0, .veil = 0.01};
+  spec.optics.sun_star = {.strength = 0.01, .length_px = 4.0, .width_px = 0.7};
+  spec.optics.ghosts = {
+      {"one", {.position = -0.5, .radius_px = 3.0, .strength = {1e-4, 1e-4, 2e-4}}}};
+  spec.sensor.white_electrons = 3000.0;
   return input;
 }
 
@@ -66,6 +87,52 @@ TEST(RenderSequence, ResumingRendersOnlyWhatIsMissing) {
   EXPECT_EQ(summary.num_files_kept, 11);
 }
 
+TEST(RenderSequence, TakesAgreedOutputsFromASibling) {
+  const TempFolder folder;
+  SequenceInput input = RealisticRoom();
+  RenderOptions options{.folder = folder / "first", .frames = {0}, .quiet = true};
+  RenderSequence(input, options);
+  input.spec.shutter.exposure_s = 0.5;
+  options.folder = folder / "alone";
+  RenderSequence(input, options);
+  options.folder = folder / "second";
+  options.sibling = folder / "first";
+  options.sibling_outputs = {Output::kClean, Output::kDistance, Output::kSky};
+  const RenderSummary summary = RenderSequence(input, options);
+  EXPECT_TRUE(summary.is_complete);
+  EXPECT_EQ(summary.num_files_written, 4);  // The realistic ones.
+  EXPECT_EQ(summary.num_files_kept, 12);
+  for (const char* file : {"scene.glb", "a/front/distance/000000.exr", "b/rear/clean/000000.png"}) {
+    EXPECT_EQ(std::filesystem::hard_link_count(folder / "second" / file), 2U) << file;
+  }
+  // As if it had no sibling.
+  const std::map<std::string, Manifest::Entry> expected = Manifest::Read(folder / "alone").files;
+  for (const auto& [name, entry] : Manifest::Read(folder / "second").files) {
+    EXPECT_EQ(entry.sha256, expected.at(name).sha256) << name;
+  }
+}
+
+TEST(RenderSequence, SharesALitScene) {
+  const TempFolder folder;
+  SequenceInput input = RealisticRoom();
+  input.lit_scene = std::make_shared<LitScene>(input);
+  for (const double exposure_s : {0.0, 0.5}) {
+    input.spec.shutter.exposure_s = exposure_s;
+    SequenceInput alone = input;
+    alone.lit_scene = nullptr;
+    RenderOptions options{.folder = folder / "shared", .frames = {1}, .quiet = true};
+    options.on_existing = OnExisting::kOverwrite;
+    RenderSequence(input, options);
+    options.folder = folder / "alone";
+    RenderSequence(alone, options);
+    const std::filesystem::path picture = "a/front/realistic/000001.png";
+    EXPECT_EQ(ReadFile(folder / "shared" / picture), ReadFile(folder / "alone" / picture));
+  }
+  input.spec.light.sun->elevation_deg = 7.0;
+  EXPECT_DEATH(RenderSequence(input, {.folder = folder / "other", .quiet = true}),
+               "another description");
+}
+
 TEST(RenderSequence, ShardsShareTheWorkWithoutOverlap) {
   const TempFolder folder;
   RenderOptions options{
@@ -79,25 +146,6 @@ TEST(RenderSequence, ShardsShareTheWorkWithoutOverlap) {
     num_records += summary.num_records;
   }
   EXPECT_EQ(num_records, 3 * 2 * 2);
-}
-
-/// A beam beside the street, away from the sun, before a camera that has every fault.
-SequenceInput RealisticRoom() {
-  SequenceInput input = Room();
-  input.scene = BoxScene(Vec3f(-10, -6, 5), Vec3f(50, -2, 6));
-  SequenceSpec& spec = input.spec;
-  spec.trajectory.drive.stop_s = 0.0;
-  spec.shutter = {.exposure_s = 0.2, .ramp = 0.2, .readout_s = 0.1};
-  spec.optics.lateral_color.rim_px = 1.0;
-  spec.optics.blur = {0.5, {1.0, 0.7}};
-  spec.optics.vignetting.natural = 0.3;
-  spec.optics.rim.width_px = 2.0;
-  spec.optics.glare = {.bloom = 0.02, .bloom_radius_px = 3.0, .veil = 0.01};
-  spec.optics.sun_star = {.strength = 0.01, .length_px = 4.0, .width_px = 0.7};
-  spec.optics.ghosts = {
-      {"one", {.position = -0.5, .radius_px = 3.0, .strength = {1e-4, 1e-4, 2e-4}}}};
-  spec.sensor.white_electrons = 3000.0;
-  return input;
 }
 
 const std::vector<Output> kAllButJpeg = {Output::kRealistic,

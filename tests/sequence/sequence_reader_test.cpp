@@ -60,6 +60,10 @@ TEST_F(SequenceReaderTest, ListsFramesInOrderAndReadsThem) {
   const SequenceReader reader(folder_.Path());
   EXPECT_THAT(reader.Frames("wide", "b_first", Output::kDistance), ElementsAre(2, 10));
   EXPECT_THAT(reader.Frames("wide", "a_second", Output::kDistance), ElementsAre());
+  // Both formats of realistic frames lie in one folder, each file is of one.
+  Write(Output::kRealistic, 1, EncodePng(Image<uint8_t>(16, 12, 3, 9)));
+  EXPECT_THAT(reader.Frames("wide", "b_first", Output::kRealistic), ElementsAre(1));
+  EXPECT_THAT(reader.Frames("wide", "b_first", Output::kRealisticJpeg), ElementsAre());
   EXPECT_EQ(reader.ReadDistance("wide", "b_first", 2), distance);
   EXPECT_EQ(reader.ReadClean("wide", "b_first", 0).At(3, 4, 2), 9);
 }

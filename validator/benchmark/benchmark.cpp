@@ -42,9 +42,13 @@ struct UnitPlan {
   uint64_t effort = 1;
 };
 
+/// Width of the images that figures of effort are from.
+constexpr double kEffortWidthPx = 1200.0;
+constexpr double kSecondsPerEffort = 0.0035;
+
 /// Distances grow with the square of the key points; these figures are from the pairs of the
-/// default sequence and only serve order and forecast.
-uint64_t EffortOf(const Grid& grid, const Family& family) {
+/// default sequence and only serve order and forecast. `area` of the image, against those.
+uint64_t EffortOf(const Grid& grid, const Family& family, double area = 1.0) {
   const DetectorSetting& detector = grid.detectors[family.front()].detector;
   double points = 2000.0;
   if (detector.setting.Is("SIFT")) {
@@ -52,7 +56,7 @@ uint64_t EffortOf(const Grid& grid, const Family& family) {
   } else if (detector.setting.Is("BRISK")) {
     points = 36000.0 * std::pow(10.0 / detector.setting.Number("thresh"), 1.2);
   }
-  const double both = points * (detector.is_polar ? 2.5 : 1.0) / 1000.0;
+  const double both = area * points * (detector.is_polar ? 2.5 : 1.0) / 1000.0;
   size_t num_descriptors = 1;
   for (const size_t member : family) {
     num_descriptors = std::max(num_descriptors, grid.detectors[member].descriptors.size());
@@ -204,6 +208,15 @@ BenchmarkResults RunBenchmark(const ViewSource& source,
   progress.Finish();
   Collect(grid, families, plan, units, results);
   return results;
+}
+
+double ForecastCpuSeconds(const Grid& grid, int image_width_px) {
+  const double scale = image_width_px / kEffortWidthPx;
+  uint64_t effort = 0;
+  for (const Family& family : FamiliesOf(grid)) {
+    effort += EffortOf(grid, family, scale * scale);
+  }
+  return kSecondsPerEffort * static_cast<double>(effort);
 }
 
 std::string BenchmarkTable(const BenchmarkResults& results, size_t max_lines) {

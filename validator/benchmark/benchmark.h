@@ -133,6 +133,10 @@ BenchmarkResults RunBenchmark(const ViewSource& source,
                               const Grid& grid,
                               const BenchmarkOptions& options);
 
+/// Roughly how long a pair takes on one core, for forecasts: the number of key points is only known
+/// when they are found.
+double ForecastCpuSeconds(const Grid& grid, int image_width_px);
+
 /// A table for standard output: per setting and pair detections, matches and the measures at three
 /// tolerances; at most `max_lines` lines.
 std::string BenchmarkTable(const BenchmarkResults& results, size_t max_lines);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -184,6 +185,21 @@ std::string ChooseVariant(const ViewSource& source, const std::string& wanted) {
         "--variant {}: {} has {} images only", wanted, source.Name(), fmt::join(variants, " and "));
   }
   return wanted;
+}
+
+std::vector<int> FramesOfPairs(const std::string& pairs) {
+  std::set<int> frames;
+  for (const std::string& item : Split(pairs, ',')) {
+    const std::vector<std::string> views = Split(item, '-');
+    if (views.size() == 2) {
+      frames.insert(ViewOf(views[0], item).frame);
+      frames.insert(ViewOf(views[1], item).frame);
+    } else {
+      const std::vector<int> some = FramesOf(item);
+      frames.insert(some.begin(), some.end());
+    }
+  }
+  return {frames.begin(), frames.end()};
 }
 
 std::vector<PairOfViews> ChoosePairs(const ViewSource& source,

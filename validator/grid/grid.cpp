@@ -274,7 +274,10 @@ Grid Grid::Read(const std::filesystem::path& path) {
 Grid Grid::FromYaml(const std::string& text,
                     const std::string& origin,
                     const std::filesystem::path& folder) {
-  const YamlValue root = ParseYaml(text, origin, folder);
+  return FromTree(ParseYaml(text, origin, folder));
+}
+
+Grid Grid::FromTree(const YamlValue& root) {
   CheckIsMapping(root, "");
   CheckKnownKeys(
       root,
@@ -327,7 +330,8 @@ Grid Grid::FromYaml(const std::string& text,
   grid.angles_deg = Numbers(root, "angles_deg", YamlNumber({0.0, 90.0, true}));
   std::sort(grid.angles_deg.begin(), grid.angles_deg.end());
   if (grid.detectors.empty() && grid.imported.empty()) {
-    throw InputError("{}: expected detectors, settings or imported features, got none", origin);
+    throw InputError("{}: expected detectors, settings or imported features, got none",
+                     root.origin.where);
   }
   return grid;
 }

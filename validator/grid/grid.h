@@ -26,6 +26,7 @@
 // points.
 #pragma once
 
+#include "renderer/sequence/yaml_value.h"
 #include "validator/grid/setting.h"
 
 #include <filesystem>
@@ -80,6 +81,8 @@ struct Grid {
   static Grid FromYaml(const std::string& text,
                        const std::string& origin,
                        const std::filesystem::path& folder);
+  /// Of a mapping that stands in another file.
+  static Grid FromTree(const YamlValue& root);
   /// A grid of single settings.
   static Grid FromNames(const std::vector<std::string>& names);
 };

@@ -19,9 +19,9 @@ constexpr const char* kHead = R"gp(# {0}
 # Draws {1}.svg and {1}.png. Run beside this file: gnuplot {1}.gp
 reset
 set datafile separator ","
-set xlabel "Distance tolerance (cm)"
+set xlabel "{5}"
 set ylabel "{2}"
-set xrange [0:*]
+set xrange [{6}]
 set yrange [0:*]
 set grid linecolor "#cccccc" linewidth 0.5
 set border 3
@@ -86,6 +86,20 @@ std::string Quoted(const std::string& text) {
   return quoted;
 }
 
+/// What gnuplot takes from the CSV for the curve'th of so many curves. Words stand at whole
+/// numbers, the curves a little apart.
+std::string Columns(const ReportTable& table, size_t column, size_t curve, size_t num_curves) {
+  const size_t first = 2 + column * (table.HasIntervals() ? 3 : 1);
+  const std::string limits =
+      table.HasIntervals() ? fmt::format(":{}:{}", first + 1, first + 2) : "";
+  if (table.has_numbers) {
+    return fmt::format("({:g} * $1):{}{}", table.axis_scale, first, limits);
+  }
+  const double apart =
+      0.08 * (static_cast<double>(curve) - 0.5 * static_cast<double>(num_curves - 1));
+  return fmt::format("($0 + {:.2f}):{}{}", apart, first, limits);
+}
+
 }  // namespace
 
 std::string GnuplotScript(const ReportTable& table) {
@@ -98,14 +112,24 @@ std::string GnuplotScript(const ReportTable& table) {
                   table.name,
                   table.metric.title,
                   static_cast<double>(kLabelsPx + key_px) / static_cast<double>(height_px),
-                  static_cast<double>(key_px) / static_cast<double>(height_px));
+                  static_cast<double>(key_px) / static_cast<double>(height_px),
+                  Quoted(table.axis_title),
+                  table.has_numbers ? "0:*" : fmt::format("-0.5:{}.5", table.rows.size() - 1));
+  if (!table.has_numbers) {
+    std::string labels;
+    for (size_t row = 0; row < table.rows.size(); ++row) {
+      labels += fmt::format("{}\"{}\" {}", row > 0 ? ", " : "", Quoted(table.rows[row]), row);
+    }
+    text += fmt::format("set xtics rotate by -30 ({})\n", labels);
+  }
   text += fmt::format(fmt::runtime(kSvg), table.name, height_px);
   for (size_t i = 0; i < columns.size(); ++i) {
     text += fmt::format(
-        "  \"../tables/{}.csv\" using (100 * $1):{} with linespoints linecolor \"{}\" pointtype {} "
-        "title \"{}\"{}\n",
+        "  \"../tables/{}.csv\" every ::1 using {} with {} linecolor \"{}\" pointtype {} title "
+        "\"{}\"{}\n",
         table.name,
-        columns[i] + 2,
+        Columns(table, columns[i], i, columns.size()),
+        table.HasIntervals() ? (table.has_numbers ? "yerrorlines" : "yerrorbars") : "linespoints",
         kStyles[i].color,
         kStyles[i].mark,
         Quoted(table.settings[columns[i]]),
@@ -143,6 +167,17 @@ bool DrawFigures(const std::vector<ReportTable>& tables, const std::filesystem::
         "gnuplot could not draw the figures in {} (status {})", folder.string(), status);
   }
   return true;
+}
+
+bool WriteTables(const std::vector<ReportTable>& tables,
+                 const std::filesystem::path& out,
+                 const std::string& command) {
+  for (const ReportTable& table : tables) {
+    WriteFileAtomically(out / "tables" / (table.name + ".csv"), CsvText(table));
+    WriteFileAtomically(out / "tables" / (table.name + ".tex"), TexText(table, command));
+  }
+  WriteFileAtomically(out / "tables" / "all.tex", TexDocument(tables));
+  return DrawFigures(tables, out / "figures");
 }
 
 }  // namespace pfseq

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validator/report/page_data.h"
 
-#include "renderer/core/check.h"
 #include "validator/report/data_uri.h"
-#include "validator/report/embedded_files.h"
+#include "validator/report/html_page.h"
 
 #include <bit>
 #include <set>
@@ -45,7 +44,8 @@ Json SourcesJson(const ResultSet& results) {
                        {"opencv", source.opencv_version},
                        {"command", source.command},
                        {"finished", source.finished},
-                       {"wall_s", source.wall_s}});
+                       {"wall_s", source.wall_s},
+                       {"credits", SequenceCredits(source.sequence_folder)}});
   }
   return sources;
 }
@@ -125,7 +125,8 @@ Json PicturesJson(const SequencePictures& pictures) {
     json["failures"].push_back({{"case", table.case_idx},
                                 {"setting", table.setup},
                                 {"radius", BinsJson(table.by_radius)},
-                                {"distance", BinsJson(table.by_distance)}});
+                                {"distance", BinsJson(table.by_distance)},
+                                {"blur", BinsJson(table.by_blur)}});
   }
   for (const DrivePath& drive : pictures.drives) {
     Json path = Json::array(), marks = Json::array();
@@ -138,13 +139,6 @@ Json PicturesJson(const SequencePictures& pictures) {
     json["drives"].push_back({{"source", drive.source_idx}, {"path", path}, {"marks", marks}});
   }
   return json;
-}
-
-/// Puts `content` in the place of the one occurrence of `mark`.
-void Fill(std::string& page, std::string_view mark, std::string_view content) {
-  const size_t place = page.find(mark);
-  PFSEQ_CHECK(place != std::string::npos, "the page has no place for {}", mark);
-  page.replace(place, mark.size(), content);
 }
 
 }  // namespace
@@ -184,26 +178,20 @@ std::string PageDataJson(const PageContent& content) {
   json["gallery"] = PicturesJson(content.pictures);
   json["detectors"] = GroupJson(results.detectors);
   json["triplets"] = GroupJson(results.triplets);
-  // Names that are not UTF-8 are shown as well as can be.
-  std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  // "</script>" in a name must not end the script element.
-  for (size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at)) {
-    text.replace(at, 1, "\\u003c");
-  }
-  return text;
+  return ScriptJson(json);
 }
 
 std::string PageHtml(const PageContent& content) {
-  std::string page(EmbeddedFile("validator/report/page/report.html"));
-  Fill(page, "/* STYLES */", EmbeddedFile("validator/report/page/report.css"));
-  Fill(page, "/* CHARTS LIBRARY */", EmbeddedFile("third_party/echarts/echarts.common.min.js"));
-  std::string scripts;
-  for (const char* name : {"data", "ui", "verdict", "curves", "table", "gallery"}) {
-    scripts += EmbeddedFile(std::string("validator/report/page/") + name + ".js");
-  }
-  Fill(page, "/* SCRIPTS */", scripts);
-  Fill(page, "/* DATA */", PageDataJson(content));
-  return page;
+  const std::string folder = "validator/report/page/";
+  return AssemblePage(folder + "report.html",
+                      {folder + "metrics.js",
+                       folder + "data.js",
+                       folder + "ui.js",
+                       folder + "verdict.js",
+                       folder + "curves.js",
+                       folder + "table.js",
+                       folder + "gallery.js"},
+                      PageDataJson(content));
 }
 
 }  // namespace pfseq

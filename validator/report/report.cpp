@@ -91,13 +91,7 @@ ReportSummary WriteReport(const ReportOptions& options) {
   } else {
     content.pictures.remarks.push_back("Pictures were left out (--no-pictures).");
   }
-  for (const ReportTable& table : content.tables) {
-    WriteFileAtomically(options.out / "tables" / (table.name + ".csv"), CsvText(table));
-    WriteFileAtomically(options.out / "tables" / (table.name + ".tex"),
-                        TexText(table, options.command));
-  }
-  WriteFileAtomically(options.out / "tables" / "all.tex", TexDocument(content.tables));
-  content.has_figures = DrawFigures(content.tables, options.out / "figures");
+  content.has_figures = WriteTables(content.tables, options.out, options.command);
   const std::filesystem::path page = options.out / "report.html";
   WriteFileAtomically(page, PageHtml(content));
   return {page, content.tables.size(), content.has_figures, content.pictures.remarks};

@@ -1,29 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validator/report/report_table.h"
 
+#include "renderer/core/parse_number.h"
 #include "validator/report/ranking.h"
 
 #include <cctype>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace pfseq {
 namespace {
-
-std::string FileName(const std::string& text) {
-  std::string name;
-  for (const char c : text) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
-    if (is_plain) {
-      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    } else if (!name.empty() && name.back() != '_') {
-      name += '_';
-    }
-  }
-  return name;
-}
 
 /// As it stands between braces.
 std::string TexEscaped(const std::string& text) {
@@ -85,26 +73,72 @@ ReportTable MakeTable(const ResultSet& results,
                       const std::vector<size_t>& settings) {
   ReportTable table;
   const ReportCase& one = results.cases[case_idx];
-  table.name = FileName(metric.id + " " + one.label);
+  table.name = TableFileName(metric.id + " " + one.label);
   table.caption = fmt::format("{}, {}", metric.title, one.label);
   table.metric = metric;
-  table.tolerances_m = results.tolerances_m;
   for (const size_t i : settings) {
     table.settings.push_back(group.settings[i].name);
   }
   for (size_t t = 0; t < results.tolerances_m.size(); ++t) {
     std::vector<double> values;
-    std::vector<std::string>& row = table.cells.emplace_back();
     for (const size_t i : settings) {
       values.push_back(group.Value(metric.id, i, case_idx, t));
-      row.push_back(CellText(values.back(), metric.is_share));
     }
-    MarkBest(values, table);
+    table.AddRow(fmt::format("{:g}", results.tolerances_m[t]), values);
   }
   return table;
 }
 
+std::vector<std::string> CellTexts(const std::vector<double>& values, bool is_share) {
+  std::vector<std::string> texts;
+  for (const double value : values) {
+    texts.push_back(CellText(value, is_share));
+  }
+  return texts;
+}
+
+/// In quotes where it holds a comma.
+std::string CsvField(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
+}
+
+/// " $\pm$ 0.021", nothing without an interval.
+std::string HalfIntervalTex(const ReportTable& table, size_t row, size_t i) {
+  if (!table.HasIntervals() || table.low[row][i].empty() || table.high[row][i].empty()) {
+    return "";
+  }
+  const double half = 0.5 * (ParseNumber<double>(table.high[row][i]).value_or(0.0) -
+                             ParseNumber<double>(table.low[row][i]).value_or(0.0));
+  return fmt::format(" {{\\scriptsize$\\pm${}}}", CellText(half, table.metric.is_share));
+}
+
 }  // namespace
+
+void ReportTable::AddRow(std::string row,
+                         const std::vector<double>& values,
+                         const std::vector<double>& low_values,
+                         const std::vector<double>& high_values) {
+  rows.push_back(std::move(row));
+  cells.push_back(CellTexts(values, metric.is_share));
+  if (!low_values.empty()) {
+    low.push_back(CellTexts(low_values, metric.is_share));
+    high.push_back(CellTexts(high_values, metric.is_share));
+  }
+  MarkBest(values, *this);
+}
+
+std::string TableFileName(const std::string& text) {
+  std::string name;
+  for (const char c : text) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (is_plain) {
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!name.empty() && name.back() != '_') {
+      name += '_';
+    }
+  }
+  return name;
+}
 
 const std::vector<MetricName>& TableMetrics() {
   static const std::vector<MetricName> metrics = {
@@ -137,14 +171,20 @@ std::vector<ReportTable> MakeTables(const ResultSet& results) {
 }
 
 std::string CsvText(const ReportTable& table) {
-  std::string text = "tolerance_m";
+  std::string text = table.row_id;
   for (const std::string& setting : table.settings) {
-    text += setting.find(',') == std::string::npos ? "," + setting : ",\"" + setting + "\"";
+    text += "," + CsvField(setting);
+    if (table.HasIntervals()) {
+      text += "," + CsvField(setting + " low") + "," + CsvField(setting + " high");
+    }
   }
-  for (size_t t = 0; t < table.cells.size(); ++t) {
-    text += fmt::format("\n{:g}", table.tolerances_m[t]);
-    for (const std::string& cell : table.cells[t]) {
-      text += "," + cell;
+  for (size_t row = 0; row < table.cells.size(); ++row) {
+    text += "\n" + CsvField(table.rows[row]);
+    for (size_t i = 0; i < table.cells[row].size(); ++i) {
+      text += "," + table.cells[row][i];
+      if (table.HasIntervals()) {
+        text += "," + table.low[row][i] + "," + table.high[row][i];
+      }
     }
   }
   return text + "\n";
@@ -155,7 +195,7 @@ std::string TexText(const ReportTable& table, const std::string& origin) {
 % Needs the packages booktabs and graphicx.
 \begin{{table*}}
 \centering
-\caption{{{}. Bold values are the best at a distance tolerance, underlined are second best.}}
+\caption{{{}. Bold values are the best of a row, underlined are second best.{}}}
 \label{{tab:{}}}
 \small
 \setlength{{\tabcolsep}}{{4pt}}
@@ -163,20 +203,27 @@ std::string TexText(const ReportTable& table, const std::string& origin) {
 \resizebox{{\ifdim\width>\textwidth\textwidth\else\width\fi}}{{!}}{{%
 \begin{{tabular}}{{r*{{{}}}{{r}}}}
 \toprule
-\rotatebox{{90}}{{Distance tolerance (m)}})tex";
-  std::string text = fmt::format(
-      fmt::runtime(kHead), origin, TexEscaped(table.caption), table.name, table.settings.size());
+\rotatebox{{90}}{{{}}})tex";
+  std::string text =
+      fmt::format(fmt::runtime(kHead),
+                  origin,
+                  TexEscaped(table.caption),
+                  table.HasIntervals() ? " Behind $\\pm$: half of the 95\\,\\% interval." : "",
+                  table.name,
+                  table.settings.size(),
+                  TexEscaped(table.row_title));
   for (const std::string& setting : table.settings) {
     text += fmt::format(" &\n\\rotatebox{{90}}{{{}}}", TexEscaped(setting));
   }
   text += " \\\\\n\\midrule\n";
   for (size_t t = 0; t < table.cells.size(); ++t) {
-    fmt::format_to(std::back_inserter(text), "{:g}", table.tolerances_m[t]);
+    text += TexEscaped(table.rows[t]);
     for (size_t i = 0; i < table.cells[t].size(); ++i) {
       const std::string& cell = table.cells[t][i];
       text += table.best[t] == i     ? fmt::format(" & \\textbf{{{}}}", cell)
               : table.second[t] == i ? fmt::format(" & \\underline{{{}}}", cell)
                                      : " & " + cell;
+      text += HalfIntervalTex(table, t, i);
     }
     text += " \\\\\n";
   }

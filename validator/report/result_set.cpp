@@ -4,6 +4,7 @@
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
 #include "renderer/core/parse_number.h"
+#include "renderer/sequence/layout.h"
 #include "validator/report/csv_line.h"
 #include "validator/report/stage_times.h"
 
@@ -192,6 +193,20 @@ std::optional<size_t> ResultSet::ToleranceIdx(double tolerance_m) const {
   const auto found = std::find(tolerances_m.begin(), tolerances_m.end(), tolerance_m);
   return found == tolerances_m.end() ? std::nullopt
                                      : std::optional<size_t>(found - tolerances_m.begin());
+}
+
+std::string SequenceCredits(const std::filesystem::path& sequence_folder) {
+  const std::filesystem::path path = sequence_folder / kSequenceFile;
+  if (sequence_folder.empty() || !std::filesystem::exists(path)) {
+    return "";
+  }
+  constexpr std::string_view kComment = "# ";
+  std::string credits;
+  std::istringstream lines(ReadFile(path));
+  for (std::string line; std::getline(lines, line);) {
+    credits = line.starts_with(kComment) ? line.substr(kComment.size()) : "";
+  }
+  return credits;
 }
 
 ResultSet ReadResults(const std::vector<std::filesystem::path>& folders) {

@@ -91,6 +91,10 @@ struct ResultSet {
   std::optional<size_t> ToleranceIdx(double tolerance_m) const;
 };
 
+/// Authors and licences of what the scene of a sequence is made from, which its sequence.yaml tells
+/// in a comment at its end; empty where there are none, or no such file.
+std::string SequenceCredits(const std::filesystem::path& sequence_folder);
+
 /// Reads folders that `pfseq bench` wrote. InputError when results.json of one is missing, damaged
 /// or has other distances.
 ResultSet ReadResults(const std::vector<std::filesystem::path>& folders);

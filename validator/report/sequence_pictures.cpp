@@ -2,6 +2,8 @@
 #include "validator/report/sequence_pictures.h"
 
 #include "renderer/core/error.h"
+#include "renderer/sequence/image_io.h"
+#include "renderer/sequence/layout.h"
 #include "renderer/sequence/sequence_reader.h"
 #include "validator/benchmark/benchmark.h"
 #include "validator/false_color.h"
@@ -13,6 +15,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -23,8 +26,6 @@ namespace pfseq {
 namespace {
 
 constexpr int kViewPx = 700;
-constexpr size_t kNumRadiusBins = 10;
-constexpr double kDistanceBinsM[] = {5.0, 10.0, 20.0, 40.0, 80.0};
 const cv::Scalar kPointColor(240, 228, 66);
 
 cv::Mat MatOf(const Image<uint8_t>& image) {
@@ -77,47 +78,6 @@ Image<uint8_t> DistancePicture(const std::vector<Image<float>>& maps) {
   return picture;
 }
 
-std::string DistanceLabel(size_t bin) {
-  if (bin == 0) {
-    return fmt::format("under {:g} m", kDistanceBinsM[0]);
-  }
-  if (bin < std::size(kDistanceBinsM)) {
-    return fmt::format("{:g} to {:g} m", kDistanceBinsM[bin - 1], kDistanceBinsM[bin]);
-  }
-  return bin == std::size(kDistanceBinsM) ? fmt::format("over {:g} m", kDistanceBinsM[bin - 1])
-                                          : "sky";
-}
-
-FailureTable Failures(size_t case_idx, const TripletMatches& matches, const Lens& lens) {
-  FailureTable table{case_idx, matches.setup, {}, {}};
-  for (size_t i = 0; i < kNumRadiusBins; ++i) {
-    table.by_radius.push_back({fmt::format("{:.1f} to {:.1f}", i / 10.0, (i + 1) / 10.0), 0, 0});
-  }
-  for (size_t i = 0; i < std::size(kDistanceBinsM) + 2; ++i) {
-    table.by_distance.push_back({DistanceLabel(i), 0, 0});
-  }
-  const std::vector<JudgedMatch> judged = matches.Judged();
-  for (size_t i = 0; i < judged.size(); ++i) {
-    const double radius =
-        (judged[i].pixels_px[0] - lens.PrincipalPointPx()).norm() / (0.5 * lens.CirclePx());
-    const auto& place = matches.points.first_m[matches.attempted[i].first];
-    size_t distance_bin = std::size(kDistanceBinsM) + 1;
-    if (place) {
-      const double distance_m = (*place - matches.points.first_centre_m).norm();
-      distance_bin = static_cast<size_t>(
-          std::upper_bound(std::begin(kDistanceBinsM), std::end(kDistanceBinsM), distance_m) -
-          std::begin(kDistanceBinsM));
-    }
-    const size_t radius_bin =
-        std::min(kNumRadiusBins - 1, static_cast<size_t>(radius * kNumRadiusBins));
-    for (FailureBin* bin : {&table.by_radius[radius_bin], &table.by_distance[distance_bin]}) {
-      ++bin->attempted;
-      bin->correct += judged[i].distance_m < kPictureToleranceM ? 1 : 0;
-    }
-  }
-  return table;
-}
-
 /// Pictures of one benchmark's sequence.
 class SourcePictures {
  public:
@@ -149,6 +109,20 @@ class SourcePictures {
                              picture.HeightPx()});
   }
 
+  /// The first view's blur map; nothing where the sequence has none or the images have no blur.
+  std::optional<Image<float>> BlurOf(const ReportCase& one) const {
+    const FrameFile file{one.lens, one.first.camera, Output::kBlur, one.first.frame};
+    const std::filesystem::path path = Source().sequence_folder / file.RelativePath();
+    if (Source().variant != "realistic" || !std::filesystem::exists(path)) {
+      return std::nullopt;
+    }
+    Image<float> blur_px = ReadExr(path);
+    if (blur_px.NumChannels() != 2) {
+      throw InputError("{}: expected two channels, got {}", path.string(), blur_px.NumChannels());
+    }
+    return blur_px;
+  }
+
   void MakeCase(size_t case_idx,
                 const std::vector<std::string>& setups,
                 int num_threads,
@@ -174,6 +148,7 @@ class SourcePictures {
     const std::vector<Image<uint8_t>> images = {
         views_->ReadImage(one.lens, one.first, Source().variant),
         views_->ReadImage(one.lens, one.second, Source().variant)};
+    const std::optional<Image<float>> blur_px = BlurOf(one);
     bool has_points = false;
     for (const std::string& setup : setups) {
       const auto found = shown.find(setup);
@@ -199,7 +174,8 @@ class SourcePictures {
                       setup,
                       100.0 * kPictureToleranceM),
           MatchPicture(images[0], images[1], matches.Judged(), setup));
-      out_.failures.push_back(Failures(case_idx, matches, views_->LensOf(one.lens)));
+      out_.failures.push_back(
+          FailuresOf(case_idx, matches, views_->LensOf(one.lens), blur_px ? &*blur_px : nullptr));
     }
     if (!has_points) {
       Add(case_idx, "Views", one.label, SideBySide(images, 0));

@@ -3,6 +3,7 @@
 // colour, the drive from above, and where in the image matches fail.
 #pragma once
 
+#include "validator/report/match_failures.h"
 #include "validator/report/result_set.h"
 
 #include <array>
@@ -19,23 +20,6 @@ struct ReportPicture {
   std::string source;
   int width_px = 0;
   int height_px = 0;
-};
-
-/// Attempted matches in a range of some quantity of the first view's point.
-struct FailureBin {
-  std::string label;
-  int attempted = 0;
-  int correct = 0;
-};
-
-/// Where the matches of a setting on a case are right, within kPictureToleranceM.
-struct FailureTable {
-  size_t case_idx = 0;
-  std::string setup;
-  /// By distance from the image circle's centre, in tenths of its radius.
-  std::vector<FailureBin> by_radius;
-  /// By distance from the camera.
-  std::vector<FailureBin> by_distance;
 };
 
 /// A view of the drive from above, world coordinates in metres.

@@ -107,5 +107,14 @@ TEST(ResultSet, DamagedResultsAreRefusedWithTheFilesName) {
               HasSubstr("tolerances_m"));
 }
 
+TEST(SequenceCredits, StandAtTheEndOfTheDescription) {
+  const TempFolder folder;
+  WriteFileAtomically(folder / "with/sequence.yaml", "# first\nname: a\n# Photographs: somebody\n");
+  WriteFileAtomically(folder / "without/sequence.yaml", "# first\nname: a\n");
+  EXPECT_EQ(SequenceCredits(folder / "with"), "Photographs: somebody");
+  EXPECT_EQ(SequenceCredits(folder / "without"), "");
+  EXPECT_EQ(SequenceCredits(folder / "missing"), "");
+}
+
 }  // namespace
 }  // namespace pfseq

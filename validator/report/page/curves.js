@@ -170,9 +170,4 @@ function drawCurves() {
   redraw = makeChart(chartElement, drawChart);
 }
 
-function matchesWords(name, words) {
-  const lower = ` ${name.toLowerCase()}`;
-  return words.every((word) => lower.includes(` ${word}`));
-}
-
 drawCurves();

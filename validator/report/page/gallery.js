@@ -70,16 +70,20 @@ function drawFailures() {
   }
   const columns = h("div", { class: "columns" });
   target.append(columns);
-  for (const [quantity, title] of [["radius", "Distance from the image's centre / circle's radius"], ["distance", "Distance from the camera"]]) {
+  const quantities = [["radius", "Distance from the image's centre / circle's radius"], ["distance", "Distance from the camera"]];
+  const hasBlur = failures.some((one) => one.blur.length > 0);
+  if (hasBlur) quantities.push(["blur", "Way of the pixel during the exposure"]);
+  for (const [quantity, title] of quantities) {
     const element = h("div", { class: "chart small", role: "img", "aria-label": `Share of correct matches by ${title.toLowerCase()}` });
     columns.append(h("div", null, h("h3", null, title), element));
-    redraws.push(makeChart(element, (chart) => drawBins(chart, failures.filter((one) => one.case === chosen), quantity)));
+    redraws.push(makeChart(element, (chart) => drawBins(chart, failures.filter((one) => one.case === chosen && one[quantity].length > 0), quantity)));
   }
   const blurred = report.sources.some((source) => source.variant === "realistic");
-  target.append(note(`Sky has no place in the world: a match there is never right.${blurred ? "" : " The images are clean: nothing is to be seen of motion blur."}`));
+  target.append(note(`Sky has no place in the world: a match there is never right.${blurred ? hasBlur ? "" : " Over motion blur where the sequence has its map (pfseq render --outputs realistic,blur,...)." : " The images are clean: nothing is to be seen of motion blur."}`));
 }
 
 function drawBins(chart, tables, quantity) {
+  if (tables.length === 0) { chart.clear(); return; }
   const labels = tables[0][quantity].map((bin) => bin.label);
   chart.setOption({
     grid: { left: 48, right: 8, top: 12 + 20 * tables.length, bottom: 64 },

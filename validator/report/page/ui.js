@@ -27,11 +27,6 @@ function check(label, checked, onChange) {
     h("input", { type: "checkbox", checked, change: (event) => onChange(event.target.checked) }), ` ${label}`);
 }
 
-function pairChoices() {
-  const pairs = report.cases.map((one, i) => [i, one.label]);
-  return pairs.length > 1 ? [[MEAN, "mean of all pairs"], ...pairs] : pairs;
-}
-
 // Okabe and Ito (2008), the clearest first; dark pages take lighter black and blue.
 const isDark = matchMedia("(prefers-color-scheme: dark)");
 function palette() {
@@ -74,3 +69,8 @@ function tooltip(extra) {
 }
 // Names go into tooltips as text, not as markup.
 function escaped(text) { return h("span", null, String(text)).innerHTML; }
+
+function matchesWords(name, words) {
+  const lower = ` ${name.toLowerCase()}`;
+  return words.every((word) => lower.includes(` ${word}`));
+}

@@ -131,7 +131,8 @@ function drawMade() {
     const facts = [["Sequence", `${source.sequence}, ${source.variant} images`],
       ["Places in the world", source.judge === "map" ? "pixels of the distance map" : "exact rays at the scene"],
       ["Seed of the intervals", String(source.seed)], ["Programs", `pfseq ${source.program}, OpenCV ${source.opencv}`],
-      ["Finished", source.finished || "not recorded"], ["Took", source.wall_s ? `${source.wall_s.toFixed(0)} s` : "not recorded"]];
+      ["Finished", source.finished || "not recorded"], ["Took", source.wall_s ? `${source.wall_s.toFixed(0)} s` : "not recorded"],
+      ...(source.credits ? [["Credits of the scene", source.credits]] : [])];
     target.append(h("h3", null, `Results ${source.name}`));
     target.append(source.command ? h("pre", null, source.command) : note("The command was not recorded (no run.json)."));
     target.append(h("div", { class: "scroll" }, h("table", null, h("tbody", null,
