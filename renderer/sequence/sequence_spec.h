@@ -98,6 +98,9 @@ struct CanyonSpec {
   std::array<double, 2> building_height_m = {10.0, 35.0};
   /// Density of detail: 0 bare walls with windows, 1 the default, 2 the most.
   double detail = 1.0;
+  /// How far windows lie behind the walls and sills, mouldings and balconies stand out, against
+  /// ordinary stone houses; the less, the fewer balconies.
+  double relief = 1.0;
   /// What stands and hangs in the streets: 0 nothing, 1 the default, 2 crowded.
   double street_life = 1.0;
   /// Size of the texels of fronts beside the drive at street level.
