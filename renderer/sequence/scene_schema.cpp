@@ -35,6 +35,12 @@ YamlTypePtr<CanyonSpec> CanyonSchema() {
            &CanyonSpec::detail,
            From(0.0, 2.0),
            "Density of detail: 0 bare walls with windows, 1 normal, 2 the most.")
+      .Key("relief",
+           &CanyonSpec::relief,
+           From(0.05, 1.0),
+           "How far windows lie behind walls and sills, mouldings and balconies stand out: 1 as in "
+           "old stone houses; "
+           "less: flatter, with fewer balconies.")
       .Key("street_life",
            &CanyonSpec::street_life,
            From(0.0, 2.0),

@@ -24,9 +24,9 @@ constexpr float kMaxHeightM = 900.0F;
 constexpr float kHalfExcess = 0.28F;
 /// Extinction inside a cloud, the excess at which it has come to that, and the depth below the top
 /// over which it does.
-constexpr float kExtinctionPerM = 0.045F;
-constexpr float kSoftExcess = 0.17F;
-constexpr float kSoftTopM = 80.0F;
+constexpr float kExtinctionPerM = 0.028F;
+constexpr float kSoftExcess = 0.5F;
+constexpr float kSoftTopM = 200.0F;
 /// Steps of a ray through the cumulus.
 constexpr int kMinSteps = 6;
 constexpr int kMaxSteps = 24;
@@ -36,7 +36,7 @@ constexpr float kOpaque = 0.01F;
 constexpr float kAsymmetry = 0.85F;
 /// How far and how strongly the finer tile displaces and adds to the coarser one.
 constexpr float kWarpM = 70.0F;
-constexpr float kDetailWeight = 0.2F;
+constexpr float kDetailWeight = 0.12F;
 /// Metres that the details move aside with each metre of height.
 constexpr float kShear = 0.6F;
 /// Pixels of the coarser tile in a square of its bound, a side.
@@ -86,14 +86,14 @@ Clouds::Clouds(double share, uint64_t seed, const CloudLight& light)
                {NoiseOctave::Kind::kGradient, 9, 0.33F},
                {NoiseOctave::Kind::kGradient, 19, 0.22F},
                {NoiseOctave::Kind::kBillow, 17, 0.33F},
-               {NoiseOctave::Kind::kBillow, 37, 0.25F},
-               {NoiseOctave::Kind::kBillow, 79, 0.16F}},
+               {NoiseOctave::Kind::kBillow, 37, 0.16F},
+               {NoiseOctave::Kind::kBillow, 79, 0.08F}},
               HashKey({seed, 1})),
       details_(2500.0,
                {{NoiseOctave::Kind::kBillow, 20, 0.45F},
-                {NoiseOctave::Kind::kBillow, 45, 0.3F},
-                {NoiseOctave::Kind::kGradient, 60, 0.3F},
-                {NoiseOctave::Kind::kGradient, 130, 0.2F}},
+                {NoiseOctave::Kind::kBillow, 45, 0.25F},
+                {NoiseOctave::Kind::kGradient, 60, 0.22F},
+                {NoiseOctave::Kind::kGradient, 130, 0.08F}},
                HashKey({seed, 2})) {
   PFSEQ_CHECK(share > 0.0 && share <= 1.0, "share {}", share);
   veil_amount_ = static_cast<float>(std::min(1.0, share / 0.3));

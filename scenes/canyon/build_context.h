@@ -30,6 +30,8 @@ struct BuildContext {
   double street_life = 1.0;
   /// Photographs to take fronts from, or null; goes with `paintings`.
   const FacadePhotos* photos = nullptr;
+  /// CanyonSpec::relief.
+  double relief = 1.0;
 
   /// A share of what the default detail has, at most 1.
   double Share(double at_default) const {

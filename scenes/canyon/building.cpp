@@ -102,10 +102,14 @@ void SetRoof(const CanyonSpec& canyon, RandomStream& random, Building& building)
   }
 }
 
-void SetOpenings(double detail, RandomStream& random, Building& building) {
+void SetOpenings(const CanyonSpec& canyon, RandomStream& random, Building& building) {
+  const double detail = canyon.detail;
   WindowDesign& window = building.window;
   const auto chance = [&](double probability) {
     return random.Chance(std::min(1.0, probability * detail));
+  };
+  const auto has_balconies = [&](double probability) {
+    return chance(probability * canyon.relief);
   };
   switch (building.style) {
     case FacadeStyle::kBrick:
@@ -115,7 +119,7 @@ void SetOpenings(double detail, RandomStream& random, Building& building) {
       window.num_columns = 2;
       window.transom_share = 0.5;
       window.has_lintel = chance(0.5);
-      building.balcony = chance(0.15) ? BalconyPattern::kFrench : BalconyPattern::kNone;
+      building.balcony = has_balconies(0.15) ? BalconyPattern::kFrench : BalconyPattern::kNone;
       building.has_string_courses = chance(0.6);
       building.has_quoins = chance(0.35);
       building.cornice_m = random.Uniform(0.2, 0.35);
@@ -128,9 +132,9 @@ void SetOpenings(double detail, RandomStream& random, Building& building) {
       window.has_surround = chance(0.65);
       window.has_shutters = !window.has_surround && chance(0.6);
       window.blind_share = chance(0.5) ? 0.4 : 0.0;
-      building.balcony = chance(0.35)  ? BalconyPattern::kSingle
-                         : chance(0.2) ? BalconyPattern::kFrench
-                                       : BalconyPattern::kNone;
+      building.balcony = has_balconies(0.35)  ? BalconyPattern::kSingle
+                         : has_balconies(0.2) ? BalconyPattern::kFrench
+                                              : BalconyPattern::kNone;
       building.has_string_courses = chance(0.75);
       building.has_quoins = chance(0.3);
       building.cornice_m = random.Uniform(0.3, 0.5);
@@ -141,9 +145,9 @@ void SetOpenings(double detail, RandomStream& random, Building& building) {
           random.Uniform(1.15, 1.35), random.Uniform(2.15, 2.35), 0.15, random.Uniform(0.22, 0.35)};
       window.transom_share = 0.24;
       window.has_surround = chance(0.8);
-      building.balcony = detail <= 0.0 ? BalconyPattern::kNone
-                         : chance(0.8) ? BalconyPattern::kContinuous
-                                       : BalconyPattern::kFrench;
+      building.balcony = detail <= 0.0        ? BalconyPattern::kNone
+                         : has_balconies(0.8) ? BalconyPattern::kContinuous
+                                              : BalconyPattern::kFrench;
       building.has_string_courses = chance(0.8);
       building.cornice_m = random.Uniform(0.4, 0.6);
       break;
@@ -156,7 +160,7 @@ void SetOpenings(double detail, RandomStream& random, Building& building) {
       window.num_columns = random.Integer(2, 4);
       window.transom_share = random.Chance(0.5) ? 0.33 : 0.0;
       window.blind_share = 0.35;
-      building.balcony = chance(0.3) ? BalconyPattern::kPlate : BalconyPattern::kNone;
+      building.balcony = has_balconies(0.3) ? BalconyPattern::kPlate : BalconyPattern::kNone;
       // Bands at the floors draw the storeys out.
       building.has_string_courses = building.balcony == BalconyPattern::kNone && chance(0.7);
       building.cornice_m = random.Chance(0.5) ? random.Uniform(0.12, 0.2) : 0.0;
@@ -169,7 +173,7 @@ void SetOpenings(double detail, RandomStream& random, Building& building) {
                 random.Uniform(0.12, 0.22)};
       window.num_columns = random.Integer(2, 3);
       window.blind_share = 0.45;
-      building.balcony = chance(0.5) ? BalconyPattern::kPlate : BalconyPattern::kNone;
+      building.balcony = has_balconies(0.5) ? BalconyPattern::kPlate : BalconyPattern::kNone;
       building.cornice_m = 0.0;
       break;
     case FacadeStyle::kGlass:
@@ -285,7 +289,7 @@ Building DesignBuilding(const Lot& lot,
   const double height_m = std::round((least_m + share * (greatest_m - least_m)) * 100.0) / 100.0;
   SetRoof(canyon, form, building);
   SetStoreys(std::clamp(height_m, least_m, greatest_m), form, building);
-  SetOpenings(canyon.detail, openings, building);
+  SetOpenings(canyon, openings, building);
   SetMaterials(palette, materials, building);
   RandomStream weather({seed, 4});
   const bool is_old =

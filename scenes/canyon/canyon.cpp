@@ -18,10 +18,16 @@ Canyon BuildCanyonWithStats(const CanyonSpec& canyon, const DriveSpec& drive) {
   if (!canyon.facades.empty()) {
     photos = ReadFacadePhotos(canyon.facades);
   }
-  BuildCity(
-      {builder, palette, canyon.detail, result.stats, &paintings, canyon.street_life, &photos},
-      canyon,
-      drive);
+  BuildCity({builder,
+             palette,
+             canyon.detail,
+             result.stats,
+             &paintings,
+             canyon.street_life,
+             &photos,
+             canyon.relief},
+            canyon,
+            drive);
   paintings.Finish(palette);
   result.scene.meshes = builder.TakeMeshes(palette.materials);
   result.scene.materials = std::move(palette.materials);

@@ -242,6 +242,7 @@ void BuildFacades(const BuildContext& context,
     front.grid = GridOf(building, front.width_m);
     front.lod = lods[edge];
     front.sight_m = building.sight_m.empty() ? 0.0 : building.sight_m[edge];
+    front.frame.out *= context.relief;
     if (kind == EdgeKind::kCourt) {
       BuildCourtFront(context, building, front, random);
     } else {

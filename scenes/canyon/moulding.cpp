@@ -55,14 +55,14 @@ std::vector<EdgeRun> StreetRuns(const Building& building, const std::vector<Lod>
 
 void BuildCornice(const BuildContext& context, const Building& building, const EdgeRun& run) {
   const double top_m = building.eave_m;
-  const double depth_m = building.cornice_m;
+  const double depth_m = context.relief * building.cornice_m;
   if (depth_m <= 0.0) {
     const std::array<Vec2d, 4> coping = {
         Vec2d(0.0, top_m - 0.1), Vec2d(0.04, top_m - 0.1), Vec2d(0.04, top_m), Vec2d(0.0, top_m)};
     AddMoulding(context.builder, context.palette.coping, run.path, coping);
     return;
   }
-  const double height_m = std::min(1.1 * depth_m, 0.8 * building.top_band_m);
+  const double height_m = std::min(1.1 * building.cornice_m, 0.8 * building.top_band_m);
   const auto at = [&](double out, double up) {
     return Vec2d(out * depth_m, top_m - height_m + up * height_m);
   };
@@ -97,7 +97,7 @@ void BuildDentils(const BuildContext& context, const Building& building, size_t 
            building.trim,
            facade,
            {center_m - 0.07, head_m - 0.14, 0.0},
-           {center_m + 0.07, head_m, 0.72 * building.cornice_m},
+           {center_m + 0.07, head_m, 0.72 * context.relief * building.cornice_m},
            kFacesSides | kFaceBottom);
   }
 }
@@ -132,7 +132,8 @@ void BuildEave(const BuildContext& context, const Building& building, size_t edg
 
 void BuildBands(const BuildContext& context, const Building& building, const EdgeRun& run) {
   const double head_m = kKerbHeight_m + building.ground_floor_m;
-  const auto band = [&](double low_m, double high_m, double depth_m) {
+  const auto band = [&](double low_m, double high_m, double ordinary_depth_m) {
+    const double depth_m = context.relief * ordinary_depth_m;
     const std::array<Vec2d, 4> profile = {Vec2d(0.0, low_m),
                                           Vec2d(depth_m, low_m + 0.03),
                                           Vec2d(depth_m, high_m - 0.02),

@@ -47,6 +47,9 @@ void CheckSpec(const CanyonSpec& canyon) {
   if (!(canyon.detail >= 0.0 && canyon.detail <= 2.0)) {
     throw InputError("scene.canyon.detail: expected 0 to 2, got {}", canyon.detail);
   }
+  if (!(canyon.relief > 0.0 && canyon.relief <= 1.0)) {
+    throw InputError("scene.canyon.relief: expected above 0 to 1, got {}", canyon.relief);
+  }
   if (canyon.surrounding_blocks < 0) {
     throw InputError("scene.canyon.surrounding_blocks: expected >= 0, got {}",
                      canyon.surrounding_blocks);

@@ -69,6 +69,7 @@ PaintedWall Paint(const WallPainting& painting) {
   } else {
     PaintSurface(painting.look, canvas);
     PaintDressings(painting, canvas);
+    PaintSpots(painting, canvas);
     PaintWeather(painting, canvas);
     PaintMarks(painting, canvas);
   }

@@ -69,6 +69,9 @@ void PaintDressings(const WallPainting& painting, WallCanvas& canvas);
 /// Soot, splashes, streaks, cracks, repairs.
 void PaintWeather(const WallPainting& painting, WallCanvas& canvas);
 
+/// Pits, chips, stains and lichen, a few centimetres wide.
+void PaintSpots(const WallPainting& painting, WallCanvas& canvas);
+
 /// Cables, vents and anchors, and at street level posters, graffiti and number plates.
 void PaintMarks(const WallPainting& painting, WallCanvas& canvas);
 

@@ -90,7 +90,7 @@ void PaintPlaster(const WallLook& look, WallCanvas& canvas) {
     const double fine = fractal.At(u, v, canvas.TexelM() * 0.9, look.seed % 89 + 100);
     // Lifts of plaster, one day's work each, differ a little.
     const double lift = fractal.At(0.15 * u, v + 0.2 * broad, 0.02, look.seed % 83 + 30);
-    const double tone = 1.0 + unevenness * broad + (is_coarse ? 0.075 : 0.05) * fine + 0.014 * lift;
+    const double tone = 1.0 + unevenness * broad + (is_coarse ? 0.12 : 0.09) * fine + 0.014 * lift;
     texel.color = Warmed(Scaled(look.color, tone), 0.012 * broad);
     texel.height_m =
         static_cast<float>((is_coarse ? 0.0026 : 0.0011) * fine + 0.0015 * trowel * broad);
@@ -115,7 +115,7 @@ void PaintAshlar(const WallLook& look, WallCanvas& canvas) {
     const double fine = fractal.At(u, v, canvas.TexelM(), look.seed % 89 + 100);
     const double vein = fractal.At(0.35 * u + 40.0 * Draw(stone.key, 3), 1.6 * v, 0.008, 61);
     const double tone =
-        0.90 + 0.18 * Draw(stone.key, 1) + 0.05 * broad + 0.058 * fine + 0.03 * vein;
+        0.90 + 0.18 * Draw(stone.key, 1) + 0.05 * broad + 0.1 * fine + 0.03 * vein;
     const double soft_m = std::max(0.004, 0.6 * canvas.TexelM());
     const double ragged_m = stone.rim_m + 0.002 * fine;
     const double face = Ramp(0.5 * joint_m - 0.5 * soft_m, 0.5 * joint_m + soft_m, ragged_m);
@@ -146,7 +146,7 @@ void PaintConcrete(const WallLook& look, WallCanvas& canvas) {
     const double broad = fractal.At(u, v, 0.03, look.seed % 97);
     const double fine = fractal.At(u, v, canvas.TexelM() * 0.8, look.seed % 89 + 100);
     double tone =
-        0.93 + 0.11 * Draw(panel.key, 1) + 0.055 * broad + (is_washed ? 0.085 : 0.042) * fine;
+        0.93 + 0.11 * Draw(panel.key, 1) + 0.055 * broad + (is_washed ? 0.12 : 0.08) * fine;
     double height_m = (is_washed ? 0.003 : 0.0008) * fine;
     if (has_boards) {
       const Unit board = UnitAt(v, u, 40.0, 0.14, 0.0, HashKey({look.seed, 7}));
@@ -183,7 +183,7 @@ void Brickwork::Paint(WallTexel& texel, const Vec2d& point_m, double texel_m) co
   const double fine = fractal.At(u, v, std::min(texel_m, 0.012), seed % 89 + 100);
   const double broad = fractal.At(u, v, 0.05, seed % 97);
   const Unit brick = BrickAt(*this, u + 0.002 * fine, v + 0.001 * fine);
-  double tone = 1.0 + spread * (Draw(brick.key, 1) - 0.5) + 0.06 * fine + 0.04 * broad;
+  double tone = 1.0 + spread * (Draw(brick.key, 1) - 0.5) + 0.09 * fine + 0.04 * broad;
   double warm = 0.16 * (Draw(brick.key, 2) - 0.45);
   const double odd = Draw(brick.key, 3);
   if (odd < 0.05) {

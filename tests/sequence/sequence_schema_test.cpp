@@ -40,7 +40,7 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
       "  frame_rate_hz: 10\n"
       "  height_m: 11\n"
       "scene:\n"
-      "  canyon: {seed: 12, street_width_m: [13, 14], building_height_m: [15, 16], detail: 1.7,\n"
+      "  canyon: {seed: 12, street_width_m: [13, 14], building_height_m: [15, 16], detail: 1.7, relief: 0.6,\n"
       "           pitched_roof_share: 0.18, surrounding_blocks: 19}\n"
       "light:\n"
       "  sun: {elevation_deg: 20, azimuth_deg: 21, angular_diameter_deg: 2.2, strength: 23}\n"
@@ -94,6 +94,7 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
   expected.scene.canyon.street_width_m = {13.0, 14.0};
   expected.scene.canyon.building_height_m = {15.0, 16.0};
   expected.scene.canyon.detail = 1.7;
+  expected.scene.canyon.relief = 0.6;
   expected.scene.canyon.pitched_roof_share = 0.18;
   expected.scene.canyon.surrounding_blocks = 19;
   expected.light.sun = SunSpec{
@@ -152,7 +153,7 @@ TEST_F(SequenceSchema, CanonicalFormWritesVersionAndDefaults) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("\n      rotation_xzy_deg: [0, 0, 0]\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n  sun:\n    elevation_deg: 40\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n  sun:\n    elevation_deg: 50\n"), std::string::npos) << text;
   EXPECT_EQ(text.find("gltf"), std::string::npos) << text;
   EXPECT_EQ(text.find("coefficients"), std::string::npos) << text;
 }
@@ -216,7 +217,7 @@ TEST_F(SequenceSchema, HelpTellsDefaultsRangesAndMeaning) {
       << help;
   EXPECT_NE(help.find("scene.gltf: absent\n    the path of a file\n"), std::string::npos) << help;
   EXPECT_NE(help.find("lenses.NAME.circle_px: absent\n"), std::string::npos) << help;
-  EXPECT_NE(help.find("light.sun.elevation_deg: 40\n"), std::string::npos) << help;
+  EXPECT_NE(help.find("light.sun.elevation_deg: 50\n"), std::string::npos) << help;
 }
 
 TEST_F(SequenceSchema, RefusesWhatIsNoDescription) {
@@ -292,11 +293,17 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   EXPECT_EQ(spec.name, "pfseq");
   EXPECT_EQ(spec.image, ImageSpec{});
   EXPECT_EQ(spec.trajectory, TrajectorySpec{});
-  EXPECT_EQ(spec.scene, SceneSpec{});
+  // All but what makes the city like PFSeq's: flat fronts, quieter streets.
+  SceneSpec scene = spec.scene;
+  EXPECT_EQ(scene.canyon.relief, 0.2);
+  EXPECT_EQ(scene.canyon.street_life, 0.6);
+  scene.canyon.relief = CanyonSpec{}.relief;
+  scene.canyon.street_life = CanyonSpec{}.street_life;
+  EXPECT_EQ(scene, SceneSpec{});
   EXPECT_EQ(spec.light.sun, SunSpec{});
   // All but the clouds.
   SkySpec sky = spec.light.sky;
-  EXPECT_EQ(sky.clouds.share, 0.35);
+  EXPECT_EQ(sky.clouds.share, 0.25);
   sky.clouds = CloudSpec{};
   EXPECT_EQ(sky, SkySpec{});
   EXPECT_EQ(spec.render, RenderSpec{});

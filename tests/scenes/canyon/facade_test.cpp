@@ -33,6 +33,29 @@ TEST_P(Facade, EveryUpperFloorHasWindows) {
   EXPECT_GT(bench.stats.num_windows, 2 * 3 * house.num_upper_floors);
 }
 
+/// How far a street front in the plane y = 0 stands out (toward -y).
+double Protrusion(FacadeStyle style, double relief) {
+  PartBench bench;
+  Building house = RowHouse(bench.palette, style, 10, 1.0);
+  house.roof = RoofKind::kFlat;
+  BuildContext context = bench.Context();
+  context.relief = relief;
+  BuildFacades(context, house, {Lod::kFine, Lod::kFlush, Lod::kFlush, Lod::kFlush});
+  double most_m = 0.0;
+  for (const Mesh& mesh : bench.TakeScene().meshes) {
+    for (const Vec3f& vertex_m : mesh.positions) {
+      most_m = std::max(most_m, -static_cast<double>(vertex_m.y()));
+    }
+  }
+  return most_m;
+}
+
+TEST_P(Facade, ReliefScalesHowFarAFrontStandsOut) {
+  const double ordinary_m = Protrusion(GetParam(), 1.0);
+  EXPECT_GT(ordinary_m, 0.02);
+  EXPECT_NEAR(Protrusion(GetParam(), 0.3), 0.3 * ordinary_m, 0.05 * ordinary_m + 0.01);
+}
+
 INSTANTIATE_TEST_SUITE_P(Styles,
                          Facade,
                          testing::Values(FacadeStyle::kBrick,

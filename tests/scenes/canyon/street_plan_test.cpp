@@ -79,10 +79,12 @@ TEST(StreetPlan, StaysNearTheDriveHoweverManyRowsAreAskedFor) {
     DriveSpec drive;
     drive.last_street_m = 600.0;
     const StreetPlan plan = PlanStreets(canyon, drive);
-    EXPECT_GT(plan.extent.low_m.x(), 46.0 - 600.0 - 450.0);
-    EXPECT_LT(plan.extent.high_m.x(), 46.0 + 8.0 + 450.0);
+    const double turn_m = drive.first_street_m + drive.corner_radius_m;
+    const double across_m = drive.cross_street_m + 2.0 * drive.corner_radius_m;
+    EXPECT_GT(plan.extent.low_m.x(), turn_m - 600.0 - 450.0);
+    EXPECT_LT(plan.extent.high_m.x(), turn_m + 450.0);
     EXPECT_GT(plan.extent.low_m.y(), -450.0);
-    EXPECT_LT(plan.extent.high_m.y(), 76.0 + 450.0);
+    EXPECT_LT(plan.extent.high_m.y(), across_m + 450.0);
   }
 }
 
@@ -126,6 +128,10 @@ TEST(StreetPlan, RefusesFiguresOutOfRange) {
   canyon.detail = 2.5;
   EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
               testing::HasSubstr("detail"));
+  canyon = {};
+  canyon.relief = 0.0;
+  EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
+              testing::HasSubstr("relief"));
   canyon = {};
   canyon.surrounding_blocks = -1;
   EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),

@@ -117,7 +117,8 @@ TEST(WallPainting, MapsOfAPhotographTiltTheNormalAndSetTheRoughness) {
     return image;
   };
   // (0.6, 0.2, 0.8), about.
-  painting.photo = {even(120, 120, 120), even(204, 153, 230), even(0, 51, 0), {0, 4}, {3, 3}, false};
+  painting.photo = {
+      even(120, 120, 120), even(204, 153, 230), even(0, 51, 0), {0, 4}, {3, 3}, false};
   const auto mean = [](const Texture& texture, int channel) {
     double sum = 0.0;
     for (int y = 0; y < texture.texels.HeightPx(); ++y) {
@@ -134,6 +135,26 @@ TEST(WallPainting, MapsOfAPhotographTiltTheNormalAndSetTheRoughness) {
   EXPECT_NEAR(mean(wall.roughness, 1), 51.0, 0.5);
   painting.photo.is_mirrored = true;
   EXPECT_NEAR(mean(Paint(painting).normal, 0) / 127.5 - 1.0, -0.6 / length, 0.02);
+}
+
+TEST(PaintSpots, AreSmallAndMostlyDarker) {
+  WallPainting painting = PlainPainting(WallSurface::kPlaster);
+  painting.area = {{0, 4}, {6, 10}};
+  WallCanvas canvas(painting.area.low_m, painting.area.high_m, 0.01);
+  const Rgb plain(0.5F, 0.5F, 0.5F);
+  canvas.ForEach(
+      canvas.LowM(), canvas.HighM(), [&](WallTexel& texel, const Vec2d&) { texel.color = plain; });
+  PaintSpots(painting, canvas);
+  int num_darker = 0;
+  int num_lighter = 0;
+  canvas.ForEach(canvas.LowM(), canvas.HighM(), [&](WallTexel& texel, const Vec2d&) {
+    num_darker += texel.color[1] < 0.48F ? 1 : 0;
+    num_lighter += texel.color[1] > 0.52F ? 1 : 0;
+  });
+  const double num_texels = static_cast<double>(canvas.WidthPx()) * canvas.HeightPx();
+  EXPECT_GT(num_darker, 1.5 * num_lighter);
+  EXPECT_GT((num_darker + num_lighter) / num_texels, 0.01);
+  EXPECT_LT((num_darker + num_lighter) / num_texels, 0.15);
 }
 
 }  // namespace
