@@ -126,7 +126,7 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
                      .aperture_rotation_deg = 60.0,
                      .sun_star = {0.061, 62.0, 6.3},
                      .ghosts = {{"one", {0.64, 65.0, {0.066, 0.067, 0.068}, 0.69}}, {"two", {}}}};
-  expected.sensor = {32.0, "clip", "linear", 7000.0, 7.1, "gbrg", "grey", 8, 72};
+  expected.sensor = {32.0, "light", "clip", "linear", 7000.0, 7.1, "gbrg", "grey", 8, 72};
   expected.ground_truth = {33.0};
   EXPECT_EQ(spec, expected);
   // The canonical form of a description that sets every key gives it back.
