@@ -125,8 +125,9 @@ TEST(ComparisonText, SaysNothingWhereIntervalsHold0) {
   EXPECT_EQ(ComparisonText(factor, names, {open, ahead, ahead}),
             "A is ahead of B at 0.1, 0.2 (+2.0 [+1.0 to +3.0] at 0.2); at 0 no difference can be "
             "told.");
-  EXPECT_EQ(ComparisonText(factor, names, {ahead, ahead, ahead}),
-            "A is ahead of B at every level (+2.0 [+1.0 to +3.0] at 0.2).");
+  EXPECT_EQ(
+      ComparisonText(factor, names, {ahead, ahead, ahead}),
+      "A is ahead of B at every level (+2.0 [+1.0 to +3.0] at 0, +2.0 [+1.0 to +3.0] at 0.2).");
 }
 
 TEST(EffectText, NamesTheGreatestChange) {
