@@ -50,7 +50,7 @@ struct FakeStudy {
 TEST(TableOfFactor, HasEachSampleAtEveryLevel) {
   const FakeStudy fake;
   const FactorTable table = TableOfFactor(fake.study, fake.variants, fake.results, 0);
-  EXPECT_EQ(table.NumSamples(), 4U);
+  ASSERT_EQ(table.NumSamples(), 4U);
   for (size_t level = 0; level < 3; ++level) {
     for (size_t sample = 0; sample < 4; ++sample) {
       const ReportCase& one = fake.results.cases[table.cases[level][sample]];
