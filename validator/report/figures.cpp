@@ -100,6 +100,14 @@ std::string Columns(const ReportTable& table, size_t column, size_t curve, size_
   return fmt::format("($0 + {:.2f}):{}{}", apart, first, limits);
 }
 
+/// Tolerances start at 0; levels where they do, with room for their bars.
+std::string XRange(const ReportTable& table) {
+  if (!table.has_numbers) {
+    return fmt::format("-0.5:{}.5", table.rows.size() - 1);
+  }
+  return table.HasIntervals() ? "*:*" : "0:*";
+}
+
 }  // namespace
 
 std::string GnuplotScript(const ReportTable& table) {
@@ -114,7 +122,10 @@ std::string GnuplotScript(const ReportTable& table) {
                   static_cast<double>(kLabelsPx + key_px) / static_cast<double>(height_px),
                   static_cast<double>(key_px) / static_cast<double>(height_px),
                   Quoted(table.axis_title),
-                  table.has_numbers ? "0:*" : fmt::format("-0.5:{}.5", table.rows.size() - 1));
+                  XRange(table));
+  if (table.has_numbers && table.HasIntervals()) {
+    text += "set offsets graph 0.03, graph 0.03, 0, 0\n";
+  }
   if (!table.has_numbers) {
     std::string labels;
     for (size_t row = 0; row < table.rows.size(); ++row) {

@@ -13,6 +13,9 @@
 namespace pfseq {
 namespace {
 
+/// More levels than these without a difference are not listed.
+constexpr size_t kMaxListed = 4;
+
 /// With a sign that is no hyphen.
 std::string SignedText(double points) {
   const std::string text = fmt::format("{:.1f}", std::abs(points));
@@ -191,8 +194,10 @@ std::string ComparisonText(const StudyFactor& factor,
       names.b,
       on,
       open.empty()
-          ? fmt::format("every level ({})", by(sure))
-          : fmt::format("{}; at {} no difference can be told", at(sure), LevelsText(factor, open)),
+          ? fmt::format("every level ({}, {})", by({sure.front()}), by(sure))
+          : fmt::format("{}; {} no difference can be told",
+                        at(sure),
+                        open.size() > kMaxListed ? "elsewhere" : "at " + LevelsText(factor, open)),
       crossing);
 }
 

@@ -50,7 +50,7 @@ struct FakeStudy {
 TEST(TableOfFactor, HasEachSampleAtEveryLevel) {
   const FakeStudy fake;
   const FactorTable table = TableOfFactor(fake.study, fake.variants, fake.results, 0);
-  EXPECT_EQ(table.NumSamples(), 4U);
+  ASSERT_EQ(table.NumSamples(), 4U);
   for (size_t level = 0; level < 3; ++level) {
     for (size_t sample = 0; sample < 4; ++sample) {
       const ReportCase& one = fake.results.cases[table.cases[level][sample]];
@@ -125,8 +125,9 @@ TEST(ComparisonText, SaysNothingWhereIntervalsHold0) {
   EXPECT_EQ(ComparisonText(factor, names, {open, ahead, ahead}),
             "A is ahead of B at 0.1, 0.2 (+2.0 [+1.0 to +3.0] at 0.2); at 0 no difference can be "
             "told.");
-  EXPECT_EQ(ComparisonText(factor, names, {ahead, ahead, ahead}),
-            "A is ahead of B at every level (+2.0 [+1.0 to +3.0] at 0.2).");
+  EXPECT_EQ(
+      ComparisonText(factor, names, {ahead, ahead, ahead}),
+      "A is ahead of B at every level (+2.0 [+1.0 to +3.0] at 0, +2.0 [+1.0 to +3.0] at 0.2).");
 }
 
 TEST(EffectText, NamesTheGreatestChange) {

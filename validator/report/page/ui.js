@@ -41,13 +41,14 @@ const charts = [];
 function makeChart(element, draw) {
   const chart = echarts.init(element, null, { renderer: "canvas" });
   const redraw = () => draw(chart);
-  charts.push({ chart, redraw });
-  new ResizeObserver(() => chart.resize()).observe(element);
+  const refit = () => { chart.resize(); redraw(); };
+  new ResizeObserver(refit).observe(element);
+  charts.push({ refit, redraw });
   redraw();
   return redraw;
 }
 isDark.addEventListener("change", () => charts.forEach((one) => one.redraw()));
-addEventListener("beforeprint", () => charts.forEach((one) => one.chart.resize()));
+addEventListener("beforeprint", () => charts.forEach((one) => one.refit()));
 
 // What charts have in common.
 function chartColors() {

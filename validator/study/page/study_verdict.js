@@ -42,7 +42,9 @@ function drawVerdict() {
   }
   if (ranked.length > 1) {
     target.append(h("p", { class: "finding" }, h("strong", null, ranked[0].title), ` matters most: its levels explain ` +
-      `${percentText(ranked[0].triplets_effect.explained)} of the variance of the triplets' mean matching score within ${atTolerance}.`));
+      `${percentText(ranked[0].triplets_effect.explained)} of the variance of the triplets' mean matching score within ${atTolerance}` +
+      (ranked[0].triplets_effect.changes.some((one) => (one.low !== null && one.low > 0) || (one.high !== null && one.high < 0)) ? "." :
+        ", though no change against its base can be told from none.")));
     target.append(verdictTable("ranking",
       "Factors by the share of the variance that their levels explain (eta squared), each among the samples that differ in it alone",
       ["Factor", "Matching score", "range of its means", "Repeatability", "range of its means"],
