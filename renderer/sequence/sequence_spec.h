@@ -127,7 +127,7 @@ struct SceneSpec {
 /// light.sun. For a glTF scene with a sun of its own and no light.sun in the file, that one is
 /// used.
 struct SunSpec {
-  double elevation_deg = 50.0;
+  double elevation_deg = 60.0;
   /// Compass-free: counter-clockwise from the world's X axis, seen from above.
   double azimuth_deg = 97.0;
   /// Date and time with the offset from UTC, "2014-06-21T15:30:00+02:00"; when given, elevation and

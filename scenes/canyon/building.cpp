@@ -18,9 +18,9 @@ FacadeStyle ChooseStyle(const BlockCharacter& character, RandomStream& random) {
     return random.Chance(0.62) ? FacadeStyle::kConcrete : FacadeStyle::kGlass;
   }
   const double draw = random.Uniform();
-  return draw < 0.32   ? FacadeStyle::kPlaster
-         : draw < 0.61 ? FacadeStyle::kBrick
-         : draw < 0.85 ? FacadeStyle::kAshlar
+  return draw < 0.20   ? FacadeStyle::kPlaster
+         : draw < 0.56 ? FacadeStyle::kBrick
+         : draw < 0.92 ? FacadeStyle::kAshlar
                        : FacadeStyle::kInterwar;
 }
 

@@ -94,7 +94,7 @@ std::vector<Building> DesignBlock(const Block& block,
                                   uint64_t seed) {
   RandomStream random({seed, 1});
   BlockCharacter character;
-  character.modernity = random.Chance(0.25) ? random.Uniform(0.5, 0.9) : random.Uniform(0.05, 0.25);
+  character.modernity = random.Chance(0.12) ? random.Uniform(0.5, 0.9) : random.Uniform(0.05, 0.25);
   character.height_share = random.Uniform(0.2, 1.0);
   const std::vector<Lot> lots = SubdivideBlock(block, plan.drive_path_m, RandomStream({seed, 2}));
   std::vector<Building> houses;

@@ -142,9 +142,9 @@ void AddOpenings(PaletteMaker& maker) {
       maker.AddAll("shop_front", {0x2E3A34, 0x5A2624, 0x2B2D33, 0xD9D2C2, 0x6C4B30}, plain, 0.45F);
   palette.spandrel = maker.AddAll("spandrel", {0x4A5A62, 0x6E7A7C, 0x2E3438}, plain, 0.08F);
   palette.window_glass =
-      maker.Add("window_glass", 0xE0E6E4, {maker.Add(WindowAtlas(false)), -1, 1.0}, 0.2F);
+      maker.Add("window_glass", 0xE0E6E4, {maker.Add(WindowAtlas(false)), -1, 1.0}, 0.03F);
   palette.window_framed =
-      maker.Add("window_framed", 0xE0E6E4, {maker.Add(WindowAtlas(true)), -1, 1.0}, 0.2F);
+      maker.Add("window_framed", 0xE0E6E4, {maker.Add(WindowAtlas(true)), -1, 1.0}, 0.05F);
   palette.shop_glass = maker.Add("shop_glass", 0xE8ECEA, {maker.Add(ShopAtlas()), -1, 1.0}, 0.02F);
   palette.sign = maker.Add("sign", 0xFFFFFF, {maker.Add(SignAtlas()), -1, 1.0}, 0.6F);
   palette.facade_glass = maker.Add(

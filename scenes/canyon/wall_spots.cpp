@@ -47,7 +47,7 @@ void PaintSpots(const WallPainting& painting, WallCanvas& canvas) {
     const double radius_m = kLeastRadius_m + (kMostRadius_m - kLeastRadius_m) * share * share;
     const double aspect = random.Uniform(0.7, 1.4);
     const double faint = random.Uniform();
-    const double strength = 0.06 + 0.34 * faint * faint * faint;
+    const double strength = 0.06 + 0.4 * faint * faint;
     const double tone = random.Chance(0.7) ? -strength : 0.8 * strength;
     PaintSpot(center_m, {radius_m * aspect, radius_m / aspect}, tone, random.Bits() % 347, canvas);
   }

@@ -40,7 +40,8 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
       "  frame_rate_hz: 10\n"
       "  height_m: 11\n"
       "scene:\n"
-      "  canyon: {seed: 12, street_width_m: [13, 14], building_height_m: [15, 16], detail: 1.7, relief: 0.6,\n"
+      "  canyon: {seed: 12, street_width_m: [13, 14], building_height_m: [15, 16], detail: 1.7, "
+      "relief: 0.6,\n"
       "           pitched_roof_share: 0.18, surrounding_blocks: 19}\n"
       "light:\n"
       "  sun: {elevation_deg: 20, azimuth_deg: 21, angular_diameter_deg: 2.2, strength: 23}\n"
@@ -67,8 +68,8 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
       "  ghosts:\n"
       "    one: {position: 0.64, radius_px: 65, strength: [0.066, 0.067, 0.068], hollow: 0.69}\n"
       "    two: {}\n"
-      "sensor: {exposure: 32, tone_curve: clip, encoding: linear, white_electrons: 7000, "
-      "read_noise_electrons: 7.1, mosaic: gbrg, color: grey, bits: 8, jpeg_quality: 72}\n"
+      "sensor: {exposure: 32, metering: frame, tone_curve: clip, encoding: linear, "
+      "white_electrons: 7000, read_noise_electrons: 7.1, mosaic: gbrg, color: grey, bits: 8, jpeg_quality: 72}\n"
       "ground_truth: {max_distance_m: 33}\n");
   SequenceSpec expected;
   expected.name = "every key";
@@ -126,7 +127,7 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
                      .aperture_rotation_deg = 60.0,
                      .sun_star = {0.061, 62.0, 6.3},
                      .ghosts = {{"one", {0.64, 65.0, {0.066, 0.067, 0.068}, 0.69}}, {"two", {}}}};
-  expected.sensor = {32.0, "light", "clip", "linear", 7000.0, 7.1, "gbrg", "grey", 8, 72};
+  expected.sensor = {32.0, "frame", "clip", "linear", 7000.0, 7.1, "gbrg", "grey", 8, 72};
   expected.ground_truth = {33.0};
   EXPECT_EQ(spec, expected);
   // The canonical form of a description that sets every key gives it back.
@@ -153,7 +154,7 @@ TEST_F(SequenceSchema, CanonicalFormWritesVersionAndDefaults) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("\n      rotation_xzy_deg: [0, 0, 0]\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n  sun:\n    elevation_deg: 50\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n  sun:\n    elevation_deg: 60\n"), std::string::npos) << text;
   EXPECT_EQ(text.find("gltf"), std::string::npos) << text;
   EXPECT_EQ(text.find("coefficients"), std::string::npos) << text;
 }
@@ -217,7 +218,7 @@ TEST_F(SequenceSchema, HelpTellsDefaultsRangesAndMeaning) {
       << help;
   EXPECT_NE(help.find("scene.gltf: absent\n    the path of a file\n"), std::string::npos) << help;
   EXPECT_NE(help.find("lenses.NAME.circle_px: absent\n"), std::string::npos) << help;
-  EXPECT_NE(help.find("light.sun.elevation_deg: 50\n"), std::string::npos) << help;
+  EXPECT_NE(help.find("light.sun.elevation_deg: 60\n"), std::string::npos) << help;
 }
 
 TEST_F(SequenceSchema, RefusesWhatIsNoDescription) {
@@ -295,7 +296,7 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   EXPECT_EQ(spec.trajectory, TrajectorySpec{});
   // All but what makes the city like PFSeq's: flat fronts, quieter streets.
   SceneSpec scene = spec.scene;
-  EXPECT_EQ(scene.canyon.relief, 0.2);
+  EXPECT_EQ(scene.canyon.relief, 0.1);
   EXPECT_EQ(scene.canyon.street_life, 0.6);
   scene.canyon.relief = CanyonSpec{}.relief;
   scene.canyon.street_life = CanyonSpec{}.street_life;
@@ -307,7 +308,11 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   sky.clouds = CloudSpec{};
   EXPECT_EQ(sky, SkySpec{});
   EXPECT_EQ(spec.render, RenderSpec{});
-  EXPECT_EQ(spec.sensor, SensorSpec{});
+  // A camera that exposes for the street's shade.
+  SensorSpec sensor = spec.sensor;
+  EXPECT_EQ(sensor.exposure, 0.08);
+  sensor.exposure.reset();
+  EXPECT_EQ(sensor, SensorSpec{});
   EXPECT_EQ(spec.ground_truth, GroundTruthSpec{});
   EXPECT_TRUE(spec.IsRealistic());
 }
