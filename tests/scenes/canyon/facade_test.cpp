@@ -38,12 +38,14 @@ double Protrusion(FacadeStyle style, double relief) {
   PartBench bench;
   Building house = RowHouse(bench.palette, style, 10, 1.0);
   house.roof = RoofKind::kFlat;
+  // No downpipe, which is as thick on any front.
+  house.cornice_m = 0.0;
   BuildContext context = bench.Context();
   context.relief = relief;
   BuildFacades(context, house, {Lod::kFine, Lod::kFlush, Lod::kFlush, Lod::kFlush});
   double most_m = 0.0;
   for (const Mesh& mesh : bench.TakeScene().meshes) {
-    for (const Vec3f& vertex_m : mesh.positions) {
+    for (const Vec3f& vertex_m : mesh.positions_m) {
       most_m = std::max(most_m, -static_cast<double>(vertex_m.y()));
     }
   }
