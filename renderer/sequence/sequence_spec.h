@@ -58,14 +58,14 @@ struct CameraSpec {
 /// trajectory.drive: a U: up one street, a corner, across, a corner, back.
 struct DriveSpec {
   /// Straight lengths between the arcs.
-  double first_street_m = 38.0;
-  double cross_street_m = 46.0;
-  double last_street_m = 60.0;
-  double corner_radius_m = 4.5;
+  double first_street_m = 46.0;
+  double cross_street_m = 60.0;
+  double last_street_m = 90.0;
+  double corner_radius_m = 8.0;
   /// left or right.
   std::string turn = "left";
-  double cruise_speed_mps = 5.5;
-  double corner_speed_mps = 4.5;
+  double cruise_speed_mps = 9.0;
+  double corner_speed_mps = 5.0;
   double acceleration_mps2 = 2.0;
   /// Time at rest before the car starts.
   double stop_s = 0.5;
@@ -93,9 +93,9 @@ struct TrajectorySpec {
 struct CanyonSpec {
   uint64_t seed = 1;
   /// Widths between opposite facades, least and greatest.
-  std::array<double, 2> street_width_m = {9.0, 11.0};
+  std::array<double, 2> street_width_m = {12.0, 18.0};
   /// Heights of buildings (eaves or parapet), least and greatest.
-  std::array<double, 2> building_height_m = {10.0, 30.0};
+  std::array<double, 2> building_height_m = {10.0, 35.0};
   /// Density of detail: 0 bare walls with windows, 1 the default, 2 the most.
   double detail = 1.0;
   /// How far windows lie behind the walls and sills, mouldings and balconies stand out, against
@@ -127,9 +127,9 @@ struct SceneSpec {
 /// light.sun. For a glTF scene with a sun of its own and no light.sun in the file, that one is
 /// used.
 struct SunSpec {
-  double elevation_deg = 60.0;
+  double elevation_deg = 40.0;
   /// Compass-free: counter-clockwise from the world's X axis, seen from above.
-  double azimuth_deg = 97.0;
+  double azimuth_deg = 130.0;
   /// Date and time with the offset from UTC, "2014-06-21T15:30:00+02:00"; when given, elevation and
   /// azimuth above follow from it, the place and north_deg, which the file then has instead of
   /// them. Empty: the angles were given themselves.

@@ -114,8 +114,7 @@ void PaintAshlar(const WallLook& look, WallCanvas& canvas) {
     const double broad = fractal.At(u, v, 0.04, look.seed % 97);
     const double fine = fractal.At(u, v, canvas.TexelM(), look.seed % 89 + 100);
     const double vein = fractal.At(0.35 * u + 40.0 * Draw(stone.key, 3), 1.6 * v, 0.008, 61);
-    const double tone =
-        0.87 + 0.26 * Draw(stone.key, 1) + 0.05 * broad + 0.1 * fine + 0.03 * vein;
+    const double tone = 0.87 + 0.26 * Draw(stone.key, 1) + 0.05 * broad + 0.1 * fine + 0.03 * vein;
     const double soft_m = std::max(0.004, 0.6 * canvas.TexelM());
     const double ragged_m = stone.rim_m + 0.002 * fine;
     const double face = Ramp(0.5 * joint_m - 0.5 * soft_m, 0.5 * joint_m + soft_m, ragged_m);

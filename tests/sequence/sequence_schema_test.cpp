@@ -154,7 +154,7 @@ TEST_F(SequenceSchema, CanonicalFormWritesVersionAndDefaults) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("\n      rotation_xzy_deg: [0, 0, 0]\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n  sun:\n    elevation_deg: 60\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n  sun:\n    elevation_deg: 40\n"), std::string::npos) << text;
   EXPECT_EQ(text.find("gltf"), std::string::npos) << text;
   EXPECT_EQ(text.find("coefficients"), std::string::npos) << text;
 }
@@ -218,7 +218,7 @@ TEST_F(SequenceSchema, HelpTellsDefaultsRangesAndMeaning) {
       << help;
   EXPECT_NE(help.find("scene.gltf: absent\n    the path of a file\n"), std::string::npos) << help;
   EXPECT_NE(help.find("lenses.NAME.circle_px: absent\n"), std::string::npos) << help;
-  EXPECT_NE(help.find("light.sun.elevation_deg: 60\n"), std::string::npos) << help;
+  EXPECT_NE(help.find("light.sun.elevation_deg: 40\n"), std::string::npos) << help;
 }
 
 TEST_F(SequenceSchema, RefusesWhatIsNoDescription) {
@@ -293,15 +293,23 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   const SequenceSpec spec = ReadSequenceSpec(kData / "sequences" / "pfseq.yaml");
   EXPECT_EQ(spec.name, "pfseq");
   EXPECT_EQ(spec.image, ImageSpec{});
-  EXPECT_EQ(spec.trajectory, TrajectorySpec{});
-  // All but what makes the city like PFSeq's: flat fronts, quieter streets.
+  // Its drive is tested with the poses.
+  TrajectorySpec trajectory = spec.trajectory;
+  trajectory.drive = DriveSpec{};
+  EXPECT_EQ(trajectory, TrajectorySpec{});
+  // All but what makes the city like PFSeq's: narrow, quieter streets of flat fronts.
   SceneSpec scene = spec.scene;
   EXPECT_EQ(scene.canyon.relief, 0.1);
   EXPECT_EQ(scene.canyon.street_life, 0.6);
+  EXPECT_EQ(scene.canyon.street_width_m, (std::array{9.0, 11.0}));
+  EXPECT_EQ(scene.canyon.building_height_m, (std::array{10.0, 30.0}));
   scene.canyon.relief = CanyonSpec{}.relief;
   scene.canyon.street_life = CanyonSpec{}.street_life;
+  scene.canyon.street_width_m = CanyonSpec{}.street_width_m;
+  scene.canyon.building_height_m = CanyonSpec{}.building_height_m;
   EXPECT_EQ(scene, SceneSpec{});
-  EXPECT_EQ(spec.light.sun, SunSpec{});
+  // The sun is seen over the cross street.
+  EXPECT_EQ(spec.light.sun, (SunSpec{.elevation_deg = 60.0, .azimuth_deg = 97.0}));
   // All but the clouds.
   SkySpec sky = spec.light.sky;
   EXPECT_EQ(sky.clouds.share, 0.25);

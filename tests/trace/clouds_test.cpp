@@ -85,7 +85,7 @@ std::vector<float> LuminancesOfClouds(const Clouds& clouds, double least_deg, do
 }
 
 TEST(Clouds, HaveTheLuminancesOfCumulus) {
-  // Sunlit sides 10 to 30 kcd/m^2, grey bases of a third of that.
+  // Sunlit sides 10 to 30 kcd/m^2, grey bases of less than half of that.
   std::vector<float> luminances = LuminancesOfClouds(Clouds(0.5, 1, Afternoon()), 60.0, 180.0);
   ASSERT_GT(luminances.size(), 1000U);
   const float bright = luminances[luminances.size() * 95 / 100];
@@ -93,7 +93,7 @@ TEST(Clouds, HaveTheLuminancesOfCumulus) {
   EXPECT_GT(bright, 15.0F);
   EXPECT_LT(bright, 30.0F);
   EXPECT_GT(dark, 4.0F);
-  EXPECT_LT(dark, 11.0F);
+  EXPECT_LT(dark, 12.0F);
 }
 
 TEST(Clouds, ThinPartsShineNearTheSun) {
