@@ -81,8 +81,14 @@ void BuildFinials(const BuildContext& context,
            {0.2, 0.42, 0.1},
            kFacesSides | kFaceTop);
     AddPillar(context.builder, trim, at.At(0, 0.4, 0), 0.07, 0.16, 6);
-    AddPillar(
-        context.builder, trim, at.At(0, 0.55, 0), is_urn ? 0.15 : 0.12, is_urn ? 0.3 : 0.2, 8);
+    // Wider than its foot: seen from the street, its bottom shows.
+    AddPillar(context.builder,
+              trim,
+              at.At(0, 0.55, 0),
+              is_urn ? 0.15 : 0.12,
+              is_urn ? 0.3 : 0.2,
+              8,
+              true);
     AddPillar(context.builder, trim, at.At(0, 0.74, 0), 0.06, is_urn ? 0.3 : 0.1, 6);
   }
 }

@@ -68,7 +68,8 @@ void AddPillar(MeshBuilder& builder,
                const Vec3d& foot_m,
                double radius_m,
                double height_m,
-               int num_sides) {
+               int num_sides,
+               bool has_bottom) {
   std::vector<Vec3d> top_m;
   for (int i = 0; i < num_sides; ++i) {
     const double angle_rad = 2.0 * std::numbers::pi * i / num_sides;
@@ -82,6 +83,13 @@ void AddPillar(MeshBuilder& builder,
     builder.Quad(material_idx, left + down_m, right + down_m, right, left);
   }
   builder.Polygon(material_idx, top_m);
+  if (has_bottom) {
+    std::vector<Vec3d> bottom_m(top_m.rbegin(), top_m.rend());
+    for (Vec3d& corner_m : bottom_m) {
+      corner_m += down_m;
+    }
+    builder.Polygon(material_idx, bottom_m);
+  }
 }
 
 void AddMoulding(MeshBuilder& builder,

@@ -31,13 +31,15 @@ void AddBox(MeshBuilder& builder,
             const Vec3d& high_m,
             unsigned faces);
 
-/// An upright prism over a regular polygon, without its bottom: pipes, pots, poles.
+/// An upright prism over a regular polygon: pipes, pots, poles; without its bottom, unless that is
+/// to be seen.
 void AddPillar(MeshBuilder& builder,
                int material_idx,
                const Vec3d& foot_m,
                double radius_m,
                double height_m,
-               int num_sides);
+               int num_sides,
+               bool has_bottom = false);
 
 /// A run of walls seen from outside, left to right; closed when last and first point are joined.
 struct WallPath {

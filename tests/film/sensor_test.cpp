@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 Sensor MakeSensor(const std::string& tone_curve, double exposure = 1.0) {
-  return Sensor({exposure, tone_curve});
+  return Sensor({.exposure = exposure, .tone_curve = tone_curve});
 }
 
 uint8_t EncodeGray(const Sensor& sensor, float value) {
