@@ -77,6 +77,7 @@ std::string CleanKey(const SequenceSpec& spec) {
   key.optics = {};
   key.sensor = {};
   key.sensor.exposure = spec.sensor.exposure;
+  key.sensor.metering = spec.sensor.metering;
   key.sensor.tone_curve = spec.sensor.tone_curve;
   return CanonicalYaml(key);
 }
