@@ -131,7 +131,7 @@ class ViewSampler {
         still_(exposure_ == nullptr ? view.world_from_camera : RigidTransform{}),
         origin_m_(view.world_from_camera.translation_m.cast<float>()),
         sampling_(sampling),
-        strata_(sampling.num_samples),
+
         sums_(static_cast<size_t>(view.width_px) * static_cast<size_t>(view.height_px)) {}
 
   PixelSums& SumsOf(int x, int y) { return sums_[Index(x, y)]; }
@@ -146,6 +146,7 @@ class ViewSampler {
       return;
     }
     const PixelRays rays(raster_, still_, x, y);
+    const Strata strata(num_samples);
     const PixelSampler pixel(
         view_.seed, view_.frame, view_.view_idx, static_cast<uint64_t>(Index(x, y)), 0);
     for (int i = first; i < num_samples; ++i) {
@@ -158,7 +159,7 @@ class ViewSampler {
             exposure_ == nullptr
                 ? CameraRay{origin_m_,
                             *direction,
-                            rays.Footprint(place, strata_.Middle(place), strata_)}
+                            rays.Footprint(place, strata.Middle(place), strata)}
                 : MovingRay(*direction, rays.MovingFootprint(place), x, y, place, sampler);
         builder.Add(ray, sampler, {&sums, i < sampling_.num_samples / 2, cell});
       } else if (cell != nullptr) {
@@ -168,7 +169,8 @@ class ViewSampler {
   }
 
   /// How many samples a pixel needs by what its first ones say. Each half of them covers the pixel
-  /// evenly, so what the halves differ by is what samples miss, not what the pixel shows.
+  /// evenly, so what the halves differ by is what samples miss, not what the pixel shows. The
+  /// number is proportional to the error: that makes the least error of the image for all samples.
   int NumSamplesNeeded(int x, int y) {
     const PixelSums& sums = SumsOf(x, y);
     const int half = sums.num_samples / 2;
@@ -186,9 +188,9 @@ class ViewSampler {
     if (!(excess > 1.0F)) {
       return sums.num_samples;
     }
-    const float needed =
-        std::ceil(excess * excess) * static_cast<float>(std::max(kPacketSize, sums.num_samples));
-    return static_cast<int>(std::min(needed, static_cast<float>(sampling_.max_samples)));
+    const auto packets = std::ceil(excess * static_cast<float>(sums.num_samples) / kPacketSize);
+    return static_cast<int>(
+        std::min(packets * kPacketSize, static_cast<float>(sampling_.max_samples)));
   }
 
  private:
@@ -224,7 +226,6 @@ class ViewSampler {
   RigidTransform still_;
   Vec3f origin_m_;
   PixelSampling sampling_;
-  Strata strata_;
   std::vector<PixelSums> sums_;
 };
 

@@ -19,9 +19,9 @@ struct PixelSampling {
   /// Of every pixel.
   int num_samples = 8;
   /// Of a pixel whose samples differ, at most.
-  int max_samples = 32;
-  /// Standard error of a pixel's mean luminance at which it has enough, relative to its luminance
-  /// or, in the dark, to reference_radiance / 10.
+  int max_samples = 64;
+  /// Standard error of the first samples' mean luminance above which there are more, relative to
+  /// that luminance or, in the dark, to reference_radiance / 10.
   float tolerance = 0.03F;
   float reference_radiance = 1.0F;
 };

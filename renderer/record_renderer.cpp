@@ -24,7 +24,7 @@ bool WantsClean(const std::vector<Output>& outputs) {
 }
 
 bool WantsRealistic(const std::vector<Output>& outputs) {
-  return Wants(outputs, {Output::kRealistic, Output::kRealisticJpeg});
+  return Wants(outputs, {Output::kRealistic, Output::kRealisticJpeg, Output::kRealisticLinear});
 }
 
 /// The noise of the sensor has nothing to do with that of the samples.
@@ -189,6 +189,8 @@ Bytes RecordRenderer::Encode(const Record& record, Output output, const Pictures
     }
     case Output::kLinear:
       return EncodeExrHalf(pictures.clean);
+    case Output::kRealisticLinear:
+      return EncodeExrHalf(pictures.realistic);
     case Output::kFlare:
       return EncodeExrHalf(pictures.flare);
     case Output::kBlur:

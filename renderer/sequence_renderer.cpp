@@ -92,6 +92,17 @@ std::vector<DescriptionFile> DescriptionFiles(const SequenceInput& input, const 
       pose.world_from_rig = pose.world_from_rig * camera.rig_from_camera;
     }
     files.push_back({TrajectoryFile(camera.name), TumText(world_from_camera)});
+    if (input.spec.shutter.exposure_s > 0.0) {
+      const Vec2d span_s = Shutter(input.spec.shutter).SpanS();
+      std::vector<StampedPose> ends;
+      for (const StampedPose& pose : studio.Poses()) {
+        for (const double after_s : {span_s.x(), span_s.y()}) {
+          ends.push_back({pose.time_s + after_s,
+                          studio.WorldFromRig(pose.time_s + after_s) * camera.rig_from_camera});
+        }
+      }
+      files.push_back({ExposureFile(camera.name), TumText(ends)});
+    }
   }
   return files;
 }

@@ -48,7 +48,7 @@ View Studio::ViewOf(const Record& record) const {
 
 RigidTransform Studio::WorldFromCamera(const Record& record, double after_s) const {
   const double time_s = poses_[static_cast<size_t>(record.frame)].time_s + after_s;
-  return trajectory_->WorldFromRig(time_s) * rig_.cameras[record.camera_idx].rig_from_camera;
+  return WorldFromRig(time_s) * rig_.cameras[record.camera_idx].rig_from_camera;
 }
 
 ExposurePoses Studio::ExposureOf(const Record& record) const {

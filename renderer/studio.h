@@ -47,6 +47,7 @@ class Studio {
 
   /// At the frame's pose, without an exposure.
   View ViewOf(const Record& record) const;
+  RigidTransform WorldFromRig(double time_s) const { return trajectory_->WorldFromRig(time_s); }
   /// The camera's pose so long after the frame's.
   RigidTransform WorldFromCamera(const Record& record, double after_s) const;
   ExposurePoses ExposureOf(const Record& record) const;

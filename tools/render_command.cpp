@@ -136,7 +136,8 @@ void AddRenderCommand(CLI::App& app) {
       ->add_option("--outputs",
                    flags->outputs,
                    "What to write: realistic, clean, linear (half-float EXR of clean), distance, "
-                   "sky, blur (way in px while the shutter is open), flare (half-float EXR); "
+                   "sky, blur (way in px while the shutter is open), "
+                   "realistic_linear (half-float EXR, before the sensor), flare (half-float EXR); "
                    "default: clean,distance,sky and, where shutter, optics or sensor are on, "
                    "realistic")
       ->delimiter(',');

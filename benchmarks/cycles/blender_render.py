@@ -10,10 +10,11 @@ JOB.json (cycles_job.py writes it) names everything; nothing is left to Blender'
     linear_textures        true: colour textures are decoded to linear floats first; else Cycles interpolates encoded 8-bit
                            texels and decodes what comes out
     image_size_px, num_threads, max_bounces, adaptive
+    motion_blur            true: images of radiance while the camera moves from the first to the second pose of `exposure`
     clamp_indirect, blur_glossy   Cycles' settings of these names
     sun                    direction (unit, towards it), irradiance (RGB, on a surface that faces it), angle_rad (diameter)
     sky_radiance           RGB
-    renders                list of: out (EXR file), kind ("radiance" or "distance"), world_from_camera (4 x 4), lens (values
+    renders                list of: out (EXR file), kind ("radiance" or "distance"), world_from_camera and two of exposure (4 x 4), lens (values
                            of Blender's camera.cycles), num_samples, seed
 
 World: Z up, as pfseq's, which is what Blender makes of glTF. Camera: x to the right and y down in the image, z along the
@@ -151,7 +152,6 @@ def set_up_cycles(scene, job):
     render.resolution_percentage = 100
     render.threads_mode = "FIXED"
     render.threads = job["num_threads"]
-    render.use_motion_blur = False
     render.film_transparent = False
     # Keeps scene and acceleration structure from one view to the next.
     render.use_persistent_data = True
@@ -173,8 +173,41 @@ def set_up_cycles(scene, job):
     scene.view_layers[0].use_pass_z = True
 
 
-def set_up_view(scene, camera, view):
-    camera.matrix_world = mathutils.Matrix(view["world_from_camera"]) @ CAMERA_FROM_BLENDER_CAMERA
+def place_camera(camera, world_from_camera):
+    camera.matrix_world = mathutils.Matrix(world_from_camera) @ CAMERA_FROM_BLENDER_CAMERA
+
+
+def open_shutter(scene, camera, exposure):
+    """An evenly exposed frame from the first to the second pose: the shutter is open from frame 1 to frame 2."""
+    scene.render.use_motion_blur = True
+    scene.render.motion_blur_shutter = 1.0
+    # Blender's default lets the shutter open half a frame earlier.
+    scene.cycles.motion_blur_position = "START"
+    camera.cycles.use_motion_blur = True
+    # 2^3 steps: of a turn, position and rotation between two of them are interpolated by themselves.
+    camera.cycles.motion_steps = 3
+    camera.rotation_mode = "QUATERNION"
+    camera.animation_data_clear()
+    for frame, pose in enumerate(exposure, 1):
+        place_camera(camera, pose)
+        location, rotation, _ = camera.matrix_world.decompose()
+        camera.location = location
+        camera.rotation_quaternion = rotation
+        camera.keyframe_insert("location", frame=frame)
+        camera.keyframe_insert("rotation_quaternion", frame=frame)
+    for curve in camera.animation_data.action.fcurves:
+        for point in curve.keyframe_points:
+            point.interpolation = "LINEAR"
+    scene.frame_set(1)
+
+
+def set_up_view(scene, camera, view, motion_blur):
+    scene.render.use_motion_blur = False
+    camera.animation_data_clear()
+    place_camera(camera, view["world_from_camera"])
+    # Distances from a moving camera would be wrong: they are measured from the middle of the exposure.
+    if motion_blur and view["kind"] == "radiance":
+        open_shutter(scene, camera, view["exposure"])
     for key, value in view["lens"].items():
         setattr(camera.data.cycles, key, value)
     cycles = scene.cycles
@@ -212,7 +245,7 @@ def main(job_path):
     camera = add_camera(scene)
     set_up_cycles(scene, job)
     for view in job["renders"]:
-        set_up_view(scene, camera, view)
+        set_up_view(scene, camera, view, job["motion_blur"])
         bpy.ops.render.render(write_still=True)
         if not os.path.exists(view["out"]):
             raise RuntimeError(f"Blender did not write {view['out']}")

@@ -38,6 +38,7 @@ Examples:
   tools/compare_with_cycles.sh --size 300 --out out/cycles
   tools/compare_with_cycles.sh --materials untextured --light path --size 300 --frames 0,24 --cameras front,rear
   tools/compare_with_cycles.sh --materials all --size 600 --spp-list 16,64,256 --repeats 5
+  tools/compare_with_cycles.sh --motion-blur --frames 24 --size 600
   tools/compare_with_cycles.sh --set scene.canyon.seed=7 --set light.sun.elevation_deg=15
 
 Exit status: 0 well, 1 a program failed, 2 wrong input.
@@ -106,6 +107,9 @@ def parse_arguments():
                         "glossy paths (default: lambertian)")
     parser.add_argument("--light", choices=["cached", "path"], default="cached",
                         help="pfseq's render.light for the measured runs (default: cached)")
+    parser.add_argument("--motion-blur", action="store_true",
+                        help="open the shutter as the description has it (box), with a perfect lens: pfseq's realistic "
+                        "frames, Cycles' motion blur between the camera's first and last pose")
     parser.add_argument("--spp-list", type=int_list(1, 1_000_000), default=[16, 64, 256], metavar="N,N,...",
                         help="samples of a pixel for Cycles, at least two (default: 16,64,256)")
     parser.add_argument("--pfseq-spp-list", type=int_list(1, 1_000_000), metavar="N,N,...",
@@ -153,7 +157,9 @@ def parse_arguments():
 def settings_of(options):
     """What --set gets: the comparison's own settings, which those of the user override."""
     # About the clear sky's mean, with colours that would tell red from blue.
-    settings = {"light.sky.model": "constant", "light.sky.radiance": "[3, 4, 6]", "image.size_px": options.size}
+    # The lens's faults act on the realistic frames, which show the motion.
+    optics = {"optics": ROOT / "data/optics/off.yaml"} if options.motion_blur else {}
+    settings = {"light.sky.model": "constant", "light.sky.radiance": "[3, 4, 6]", "image.size_px": options.size} | optics
     return settings | dict(options.set)
 
 
@@ -183,10 +189,12 @@ def compare(options, work):
     scene_path = work / "scene.glb"
     write_scene(options, settings, scene_path)
     render_settings = {k: v for k, v in settings.items() if not k.startswith("scene.")} | {"scene.gltf": scene_path}
-    make_pfseq = lambda light: renderers.Pfseq(options.pfseq, options.sequence, render_settings, light, options.threads, work)
+    make_pfseq = lambda light: renderers.Pfseq(options.pfseq, options.sequence, render_settings, light, options.threads,
+                                                 options.motion_blur, work)
     pfseq_path = make_pfseq("path")
     pfseq = pfseq_path if options.light == "path" else make_pfseq(options.light)
-    cycles_options = cycles_job.CyclesOptions(options.materials, options.threads, options.adaptive, options.linear_textures)
+    cycles_options = cycles_job.CyclesOptions(options.materials, options.threads, options.adaptive, options.linear_textures,
+                                              options.motion_blur)
     results = []
     for row in [(lens, camera) for lens in options.lenses for camera in options.cameras]:
         comparison.say(f"{row[0]}, camera {row[1]}")
@@ -198,7 +206,8 @@ def compare(options, work):
         results.append(measured.result(references, out / f"difference_{row[0]}_{row[1]}.png"))
     programs = {"pfseq": version_of(options.pfseq, "--version"), "blender": version_of(options.blender, "--version")}
     head = (f"{programs['pfseq']} and {programs['blender']}: {options.sequence}, {options.size} px, frames "
-            f"{','.join(map(str, options.frames))}, materials {options.materials}, {options.threads} threads\n\n")
+            f"{','.join(map(str, options.frames))}{', motion blur' if options.motion_blur else ''}, materials "
+            f"{options.materials}, {options.threads} threads\n\n")
     text = head + "\n".join(report.row_text(result) for result in results)
     (out / "comparison.txt").write_text(text)
     report.write_csv(out / "runs.csv", results)

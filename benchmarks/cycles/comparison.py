@@ -121,8 +121,9 @@ class RowComparison:
         circle = images.circle_mask(folder.image_size_px, lens)
         sun = folder.sun()
         self._circle = np.concatenate([circle] * len(frames))
-        self._mask = np.concatenate([images.without_sun(circle, lens, folder.world_from_camera(row[1], frame), sun)
-                                     for frame in frames])
+        exposure = lambda frame: (folder.exposure(row[1], frame) if options.motion_blur
+                                  else [folder.world_from_camera(row[1], frame)] * 2)
+        self._mask = np.concatenate([images.without_sun(circle, lens, exposure(frame), sun) for frame in frames])
         self._distance_m = np.concatenate(distances_m)
         self._runs = []
 

@@ -41,6 +41,7 @@ class CyclesOptions:
     num_threads: int = 1
     adaptive: bool = False
     linear_textures: bool = False
+    motion_blur: bool = False
 
 
 # Blender's defaults (3.4), without which sunlight thrown by panes drowns everything else in Cycles' noise; Lambertian
@@ -59,6 +60,7 @@ def make_job(folder, scene_path, options, renders):
         "num_threads": options.num_threads,
         "max_bounces": cycles_bounces(folder.description["render"]["max_bounces"]),
         "adaptive": options.adaptive,
+        "motion_blur": options.motion_blur,
         **(GLOSSY_DEFAULTS if options.materials == "all" else dict.fromkeys(GLOSSY_DEFAULTS, 0.0)),
         "sun": {"direction": list(sun.direction), "irradiance": list(sun.irradiance), "angle_rad": sun.angle_rad},
         "sky_radiance": folder.sky_radiance(),
@@ -73,6 +75,7 @@ def make_render(folder, view, out, kind, num_samples, seed):
         "out": str(out),
         "kind": kind,
         "world_from_camera": folder.world_from_camera(camera, frame).tolist(),
+        "exposure": [pose.tolist() for pose in folder.exposure(camera, frame)],
         "lens": cycles_lens(folder.lenses[lens], folder.image_size_px),
         "num_samples": num_samples,
         "seed": seed,

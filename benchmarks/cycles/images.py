@@ -44,13 +44,18 @@ def circle_mask(image_size_px, lens):
     return np.hypot(*np.meshgrid(x, y)) <= lens.circle_radius_px() - np.sqrt(0.5)
 
 
-def without_sun(mask, lens, world_from_camera, sun):
-    """The mask without the sun's disc and a pixel around it: pfseq's cameras see the disc, Cycles' lamp is invisible."""
-    direction_camera = world_from_camera[:3, :3].T @ np.asarray(sun.direction)
-    center_px = lens.project(direction_camera)
+def without_sun(mask, lens, exposure, sun):
+    """The mask without the sun's disc, on its way between the two poses of an exposure, and a pixel around it: pfseq's
+    cameras see the disc, Cycles' lamp is invisible."""
+    begin_px, end_px = (np.asarray(lens.project(world_from_camera[:3, :3].T @ np.asarray(sun.direction)))
+                        for world_from_camera in exposure)
+    way_px = end_px - begin_px
     y, x = np.indices(mask.shape) + 0.5
+    from_begin_px = np.stack([x, y], -1) - begin_px
+    along = np.clip(from_begin_px @ way_px / max(way_px @ way_px, 1e-12), 0, 1)
+    distance_px = np.linalg.norm(from_begin_px - along[..., None] * way_px, axis=-1)
     radius_px = 0.75 * sun.angle_rad * lens.focal_px[0] + 1.5
-    return mask & (np.hypot(x - center_px[0], y - center_px[1]) > radius_px)
+    return mask & (distance_px > radius_px)
 
 
 def write_difference(path, first, second, mask):

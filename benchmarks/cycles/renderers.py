@@ -13,19 +13,21 @@ from sequence_folder import SequenceFolder
 # An image of this width costs next to nothing beside reading the scene.
 TINY_IMAGE_PX = 16
 # Cached light takes up to so many times more samples where they differ, as its default does.
-MAX_SAMPLES_FACTOR = 4
+MAX_SAMPLES_FACTOR = 8
 
 
 class Pfseq:
     """pfseq with one way of light: "path" or "cached"."""
 
-    def __init__(self, program, description, settings, light, num_threads, work):
+    def __init__(self, program, description, settings, light, num_threads, motion_blur, work):
         self.name = f"pfseq {light}"
         self.light = light
         self._program = program
         self._description = description
         self._settings = settings
         self._num_threads = num_threads
+        # The output that is measured.
+        self._radiance = "realistic_linear" if motion_blur else "linear"
         self._work = pathlib.Path(work)
 
     def _render(self, out, row, frames, outputs, settings):
@@ -44,9 +46,9 @@ class Pfseq:
     def measure(self, row, frames, num_samples, seed):
         """Usage and the linear images, one a frame."""
         out = self._work / "pfseq"
-        usage = self._render(out, row, frames, "linear", self._sampling(num_samples, seed))
+        usage = self._render(out, row, frames, self._radiance, self._sampling(num_samples, seed))
         folder = SequenceFolder(out)
-        radiance = [images.read_radiance(folder.frame_path(*row, "linear", frame)) for frame in frames]
+        radiance = [images.read_radiance(folder.frame_path(*row, self._radiance, frame)) for frame in frames]
         shutil.rmtree(out)
         return usage, radiance
 
@@ -54,7 +56,7 @@ class Pfseq:
         """Usage of all that is not the frames: reading the scene, building the acceleration structure, writing."""
         out = self._work / "pfseq_start"
         settings = {"image.size_px": TINY_IMAGE_PX, "render.light": "path", "render.samples": 1}
-        usage = self._render(out, row, frames[:1], "linear", settings)
+        usage = self._render(out, row, frames[:1], self._radiance, settings)
         shutil.rmtree(out)
         return usage
 

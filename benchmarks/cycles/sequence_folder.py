@@ -56,6 +56,14 @@ def rotation_from_quaternion(x, y, z, w):
                      [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
 
 
+def matrix_of_pose(line):
+    """4 x 4 of a line of a TUM file: time tx ty tz qx qy qz qw."""
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotation_from_quaternion(*line[4:8])
+    matrix[:3, 3] = line[1:4]
+    return matrix
+
+
 def json_of_glb(path):
     """The JSON part of a .glb file (glTF 2.0, section 4.4)."""
     with open(path, "rb") as file:
@@ -83,10 +91,14 @@ class SequenceFolder:
         poses = np.loadtxt(self.path / f"trajectory_{camera}.txt", ndmin=2)
         if frame >= len(poses):
             raise ValueError(f"--frames {frame}: the sequence has {len(poses)} frames")
-        matrix = np.eye(4)
-        matrix[:3, :3] = rotation_from_quaternion(*poses[frame, 4:8])
-        matrix[:3, 3] = poses[frame, 1:4]
-        return matrix
+        return matrix_of_pose(poses[frame])
+
+    def exposure(self, camera, frame):
+        """The poses at which the shutter opens and closes; the frame's own when it takes no time."""
+        path = self.path / f"exposure_{camera}.txt"
+        if not path.exists():
+            return [self.world_from_camera(camera, frame)] * 2
+        return [matrix_of_pose(pose) for pose in np.loadtxt(path, ndmin=2)[2 * frame:2 * frame + 2]]
 
     def sky_radiance(self):
         """Of the constant sky, kcd/m^2."""

@@ -52,6 +52,8 @@ std::string_view OutputName(Output output) {
       return "sky";
     case Output::kBlur:
       return "blur";
+    case Output::kRealisticLinear:
+      return "realistic_linear";
     case Output::kFlare:
       return "flare";
   }
@@ -65,11 +67,17 @@ Output OutputFromName(std::string_view name) {
     }
   }
   throw InputError(
-      "output: expected realistic, clean, linear, distance, sky, blur or flare, got '{}'", name);
+      "output: expected realistic, clean, linear, distance, sky, blur, realistic_linear or flare, got "
+      "'{}'",
+      name);
 }
 
 std::string TrajectoryFile(std::string_view camera) {
   return fmt::format("trajectory_{}.txt", camera);
+}
+
+std::string ExposureFile(std::string_view camera) {
+  return fmt::format("exposure_{}.txt", camera);
 }
 
 std::filesystem::path FrameFile::RelativePath() const {
@@ -111,9 +119,9 @@ bool BelongsToSequence(const std::filesystem::path& relative_path) {
       return true;
     }
   }
-  const bool is_trajectory =
-      !relative_path.has_parent_path() && name.starts_with("trajectory_") && name.ends_with(".txt");
-  return is_trajectory || FrameFile::FromRelativePath(relative_path).has_value();
+  const bool has_poses = !relative_path.has_parent_path() && name.ends_with(".txt") &&
+                         (name.starts_with("trajectory_") || name.starts_with("exposure_"));
+  return has_poses || FrameFile::FromRelativePath(relative_path).has_value();
 }
 
 std::vector<std::filesystem::path> SequenceFiles(const std::filesystem::path& folder) {

@@ -19,6 +19,8 @@ enum class Output {
   kDistance,       ///< distance/NNNNNN.exr: float32, one channel Y, metres
   kSky,            ///< sky/NNNNNN.png: 0 or 255
   kBlur,           ///< blur/NNNNNN.exr: float32, channels X, Y: way in px while the shutter is open
+  kRealisticLinear,  ///< realistic_linear/NNNNNN.exr: half-float radiance of the realistic frame
+                     ///< before its sensor
   kFlare,          ///< flare/NNNNNN.exr: half-float linear Rec. 709 radiance of sun star and ghosts
 };
 
@@ -29,6 +31,7 @@ inline constexpr Output kAllOutputs[] = {Output::kRealistic,
                                          Output::kDistance,
                                          Output::kSky,
                                          Output::kBlur,
+                                         Output::kRealisticLinear,
                                          Output::kFlare};
 
 /// The folder name of an output, which is its name on the command line too; realistic for both of
@@ -53,6 +56,10 @@ inline constexpr std::string_view kHdrSkyMapFile = "sky_map.hdr";
 
 /// trajectory_CAMERA.txt
 std::string TrajectoryFile(std::string_view camera);
+
+/// exposure_CAMERA.txt: where the camera is when the shutter opens and when it closes, two lines for
+/// each frame; there when the shutter takes time.
+std::string ExposureFile(std::string_view camera);
 
 /// Path of a frame's file relative to the sequence's folder: LENS/CAMERA/OUTPUT/NNNNNN.EXT
 struct FrameFile {

@@ -193,7 +193,7 @@ struct RenderSpec {
   /// Samples of each pixel (paths, with light: path).
   int samples = 8;
   /// Cached light: pixels whose samples differ get more of them, up to this many.
-  int max_samples = 32;
+  int max_samples = 64;
   /// Scattering events along a path at most.
   int max_bounces = 6;
   /// Least roughness of surfaces that a path meets after its first one; 0: no bias.

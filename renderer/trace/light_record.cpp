@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/trace/light_record.h"
 
+#include "renderer/trace/color.h"
+
+#include <algorithm>
 #include <cstring>
 
 #include <immintrin.h>
@@ -25,13 +28,22 @@ void HalvesFromFloats(const Eigen::Array4f& values, uint16_t* halves) {
 
 }  // namespace
 
-LightRecord::LightRecord(const GatheredLight& gathered, bool is_beside_body) {
+LightRecord::LightRecord(const GatheredLight& gathered,
+                         const Vec3f& normal,
+                         bool is_beside_body) {
   HalvesFromFloats(gathered.light.x, &halves_[0]);
   HalvesFromFloats(gathered.light.y, &halves_[4]);
   HalvesFromFloats(gathered.light.z, &halves_[8]);
   halves_[kStateIdx] = static_cast<uint16_t>(State::kReady);
-  halves_[kBuriedIdx] = gathered.is_buried ? 1 : 0;
-  halves_[kBesideBodyIdx] = is_beside_body ? 1 : 0;
+  halves_[kFlagsIdx] = static_cast<uint16_t>((gathered.is_buried ? kBuried : 0) |
+                                             (is_beside_body ? kBesideBody : 0));
+  // The bits of a positive half count up as its logarithm does, but for the bend within a stop.
+  const VectorIrradiance& light = gathered.light;
+  const Eigen::Array4f irradiance = normal.x() * light.x + normal.y() * light.y + normal.z() * light.z;
+  std::array<uint16_t, 4> level;
+  HalvesFromFloats(
+      Eigen::Array4f::Constant(std::max(0.0F, Luminance(Rgb(irradiance.head<3>())))), level.data());
+  halves_[kLevelIdx] = level[0];
 }
 
 bool LightRecord::MarkWanted() {

@@ -11,25 +11,29 @@
 namespace pfseq {
 
 /// One place's stored light in 24 bytes: three times red, green, blue in half precision, of x, y
-/// and z of the vector; the fourth of the first three is the state, that of the second 1 if the
-/// record is buried in a body, that of the third 1 if its regular place is. Any number of threads
-/// may ask for the state and publish.
+/// and z of the vector; the fourth of the first three is the state, that of the second says by its
+/// bits whether the record is buried in a body and whether its regular place is, that of the third
+/// is the level. Any number of threads may ask for the state and publish.
 class LightRecord {
  public:
   enum class State : uint16_t { kEmpty = 0, kWanted = 1, kReady = 2 };
 
   LightRecord() = default;
-  /// Ready.
-  LightRecord(const GatheredLight& gathered, bool is_beside_body);
+  /// Ready. The normal is that of the surface, on the record's side.
+  LightRecord(const GatheredLight& gathered, const Vec3f& normal, bool is_beside_body);
 
   State GetState() const {
     return State{std::atomic_ref<uint16_t>(const_cast<uint16_t&>(halves_[kStateIdx]))
                      .load(std::memory_order_acquire)};
   }
   bool IsReady() const { return GetState() == State::kReady; }
-  bool IsBuried() const { return halves_[kBuriedIdx] != 0; }
+  bool IsBuried() const { return (halves_[kFlagsIdx] & kBuried) != 0; }
   /// A body runs into the face hereabouts.
-  bool IsBesideBody() const { return halves_[kBesideBodyIdx] != 0; }
+  bool IsBesideBody() const { return (halves_[kFlagsIdx] & kBesideBody) != 0; }
+  /// How bright the irradiance is, so that equal differences are about equal ratios: kLevelsPerStop
+  /// for a factor of two.
+  int Level() const { return halves_[kLevelIdx]; }
+  static constexpr int kLevelsPerStop = 1024;
 
   /// Makes an empty record a wanted one; false if it was not empty.
   bool MarkWanted();
@@ -41,8 +45,10 @@ class LightRecord {
 
  private:
   static constexpr size_t kStateIdx = 3;
-  static constexpr size_t kBuriedIdx = 7;
-  static constexpr size_t kBesideBodyIdx = 11;
+  static constexpr size_t kFlagsIdx = 7;
+  static constexpr uint16_t kBuried = 1;
+  static constexpr uint16_t kBesideBody = 2;
+  static constexpr size_t kLevelIdx = 11;
 
   std::array<uint16_t, 12> halves_{};
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace pfseq {
 namespace {
@@ -16,6 +17,9 @@ constexpr float kInsetShareOfSpacing = 0.04F;
 
 /// What a buried record counts for beside others.
 constexpr float kBuriedWeight = 1e-4F;
+
+/// Between neighbours that differ by more the light is looked up more finely: a factor of 1.4.
+constexpr int kFastChangeInLevels = LightRecord::kLevelsPerStop / 2;
 
 /// Places that are tried for a record that would lie within a body.
 constexpr int kPlacesTried = 24;
@@ -84,7 +88,7 @@ std::unique_ptr<LightStore::Face> LightStore::MakeFace(uint32_t face_idx,
     apexes = ParallelogramApexes(mesh, mesh.triangles[in_mesh], mesh.triangles[in_mesh + 1]);
   }
   const float scale = detail == LightDetail::kReflected    ? options_.reflected_spacing
-                      : detail == LightDetail::kBesideBody ? options_.beside_body_spacing
+                      : detail == LightDetail::kFine ? options_.fine_spacing
                                                            : 1.0F;
   const auto spacing_at = [&](const Vec3f& middle_m, float size_m) {
     return scale * SpacingAt(middle_m, size_m);
@@ -179,7 +183,7 @@ LightRecord LightStore::ComputeRecord(const Face& face, const RecordId& id) cons
       gathered = (gatherer_.*gather)(best.RayOriginM(), best.geometric_normal, key);
     }
   }
-  return LightRecord(gathered, is_beside_body);
+  return LightRecord(gathered, point.geometric_normal, is_beside_body);
 }
 
 VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detail) {
@@ -188,6 +192,9 @@ VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detai
   Face& face = FaceAt(face_idx, detail);
   const RecordGrid::Stencil stencil =
       face.grid.StencilAt(face_idx != point.triangle_idx, point.u, point.v);
+  const bool may_be_finer = detail == LightDetail::kSeen && face.grid.NumRecords() > 1;
+  int least_level = std::numeric_limits<int>::max();
+  int greatest_level = 0;
   VectorIrradiance light;
   float sum_of_weights = 0.0F;
   for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
@@ -200,8 +207,11 @@ VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detai
       }
       record = &computed;
     }
-    if (record->IsBesideBody() && detail == LightDetail::kSeen && face.grid.NumRecords() > 1) {
-      return Lookup(point, LightDetail::kBesideBody);
+    least_level = std::min(least_level, record->Level());
+    greatest_level = std::max(greatest_level, record->Level());
+    if (may_be_finer &&
+        (record->IsBesideBody() || greatest_level - least_level > kFastChangeInLevels)) {
+      return Lookup(point, LightDetail::kFine);
     }
     const float weight = stencil.weights[i] * (record->IsBuried() ? kBuriedWeight : 1.0F);
     sum_of_weights += weight;
@@ -229,7 +239,9 @@ void LightStore::Want(const ShadingPoint& point,
   Face& face = FaceAt(face_idx, detail);
   const RecordGrid::Stencil stencil =
       face.grid.StencilAt(face_idx != point.triangle_idx, point.u, point.v);
-  bool is_beside_body = false;
+  bool is_finer = false;
+  int least_level = std::numeric_limits<int>::max();
+  int greatest_level = 0;
   for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
     LightRecord* record = RecordAt(face, point.is_front, stencil.records[i]);
     if (record == nullptr) {
@@ -238,10 +250,15 @@ void LightStore::Want(const ShadingPoint& point,
     if (record->MarkWanted()) {
       missing.push_back({face_idx, stencil.records[i], point.is_front, detail});
     }
-    is_beside_body = is_beside_body || (record->IsReady() && record->IsBesideBody());
+    if (record->IsReady()) {
+      least_level = std::min(least_level, record->Level());
+      greatest_level = std::max(greatest_level, record->Level());
+      is_finer = is_finer || record->IsBesideBody() ||
+                 greatest_level - least_level > kFastChangeInLevels;
+    }
   }
-  if (is_beside_body && detail == LightDetail::kSeen && face.grid.NumRecords() > 1) {
-    Want(point, LightDetail::kBesideBody, missing);
+  if (is_finer && detail == LightDetail::kSeen && face.grid.NumRecords() > 1) {
+    Want(point, LightDetail::kFine, missing);
   }
 }
 

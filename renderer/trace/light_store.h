@@ -5,9 +5,9 @@
 // one such face, so that no light leaks round an edge; what it holds depends on the scene and its
 // place alone, so that it is the same whoever asks first. Records that would lie within a body,
 // where faces run into each other, are told by what they see and moved to where the face shows
-// nearby; if that is nowhere, they count only where there is no other. Beside such records the face
-// has a finer grid, for there its light changes fast; what is seen by reflection alone has a coarser
-// one.
+// nearby; if that is nowhere, they count only where there is no other. Beside such records, and
+// between neighbours that differ much, the face has a finer grid, for there its light changes fast;
+// what is seen by reflection alone has a coarser one.
 #pragma once
 
 #include "renderer/core/progress.h"
@@ -31,8 +31,8 @@
 namespace pfseq {
 
 /// How finely light is stored: for what the camera sees, for what it sees by reflection, and for
-/// what it sees where a body runs into the face.
-enum class LightDetail : uint8_t { kSeen, kReflected, kBesideBody };
+/// what it sees where the light changes fast.
+enum class LightDetail : uint8_t { kSeen, kReflected, kFine };
 inline constexpr size_t kNumLightDetails = 3;
 
 struct LightStoreOptions {
@@ -40,9 +40,9 @@ struct LightStoreOptions {
   float spacing_m = 0.25F;
   /// On surfaces further off it grows with the distance to the nearest viewpoint.
   float spacing_by_distance = 0.03F;
-  /// Both are so many times wider for what is seen by reflection, and beside bodies.
+  /// Both are so many times wider for what is seen by reflection, and where light changes fast.
   float reflected_spacing = 4.0F;
-  float beside_body_spacing = 0.25F;
+  float fine_spacing = 0.25F;
   /// Where the cameras come by, about. None: spacing_m everywhere.
   std::vector<Vec3f> viewpoints_m;
   /// Records beyond this are computed each time they are asked for.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/trace/record_grid.h"
 
+#include "renderer/trace/ray_lift.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +15,10 @@ constexpr float kMaxRows = 8192.0F;
 /// Records are never further off an edge than this share of the triangle's height.
 constexpr float kMaxInsetShare = 0.2F;
 
-/// Corners of a parallelogram may be off by this share of its longest side.
+/// Corners of a parallelogram may be off by this share of its longest side, and by so much off its
+/// plane: records that lay behind the second triangle would see it from behind.
 constexpr float kParallelogramTolerance = 1e-3F;
+constexpr float kBendToleranceM = static_cast<float>(0.3 * kLeastLiftM);
 
 /// The outermost records of a parallelogram are this far off its edges, in cells: in the corner of
 /// a recess light falls off so fast that a record there would darken the whole cell.
@@ -25,8 +29,6 @@ constexpr float kThinInSpacings = 0.5F;
 
 }  // namespace
 
-/// Positions of the vertices of two triangles, in their order, that are not on the edge which they
-/// share, if together they are a parallelogram whose sides go round the same way.
 std::optional<std::array<uint8_t, 2>> ParallelogramApexes(const Mesh& mesh,
                                                           const std::array<uint32_t, 3>& first,
                                                           const std::array<uint32_t, 3>& second) {
@@ -43,7 +45,9 @@ std::optional<std::array<uint8_t, 2>> ParallelogramApexes(const Mesh& mesh,
       }
       const Vec3f off = position(second, b) - (next + last - apex);
       const float longest = std::max((next - apex).norm(), (last - apex).norm());
-      if (off.norm() <= kParallelogramTolerance * longest) {
+      const Vec3f normal = (next - apex).cross(last - apex).normalized();
+      if (off.norm() <= kParallelogramTolerance * longest &&
+          std::abs(off.dot(normal)) <= kBendToleranceM) {
         return std::array<uint8_t, 2>{a, b};
       }
     }

@@ -207,7 +207,8 @@ TEST(RenderCachedRadiance, MoreSamplesGoToEdgesAlone) {
   }
   EXPECT_GT(num_flat, 400);
   EXPECT_GT(num_edge, 30);
-  EXPECT_GE(num_changed, num_edge * 9 / 10);
+  // But where an edge cuts off so little that a few more samples miss it.
+  EXPECT_GE(num_changed, num_edge * 17 / 20);
 }
 
 TEST(RenderCachedRadiance, NeighboursOfEdgesGetMoreSamplesToo) {

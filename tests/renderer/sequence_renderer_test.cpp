@@ -3,8 +3,10 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
+#include "renderer/lens/trajectory_file.h"
 #include "renderer/lit_scene.h"
 #include "renderer/sequence/manifest.h"
+#include "renderer/sequence/sequence_model.h"
 #include "renderer/sequence/sequence_reader.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/simple_scenes.h"
@@ -154,6 +156,7 @@ const std::vector<Output> kAllButJpeg = {Output::kRealistic,
                                          Output::kDistance,
                                          Output::kSky,
                                          Output::kBlur,
+                                         Output::kRealisticLinear,
                                          Output::kFlare};
 
 TEST(RenderSequence, RealisticFramesAreMadeWhereTheCameraHasFaults) {
@@ -230,6 +233,33 @@ TEST(RenderSequence, TheCamerasFaultsLeaveCleanFramesAndGroundTruthAlone) {
   // With every effect off, realistic is clean to the last bit.
   EXPECT_EQ(ReadFile(folder / "off/b/front/realistic/000001.png"),
             ReadFile(folder / "off/b/front/clean/000001.png"));
+  EXPECT_FALSE(same("realistic_linear/000001.exr"));
+  EXPECT_EQ(ReadFile(folder / "off/b/front/realistic_linear/000001.exr"),
+            ReadFile(folder / "off/b/front/linear/000001.exr"));
+}
+
+TEST(RenderSequence, TellsWhereTheCamerasAreWhenTheShutterOpensAndCloses) {
+  const TempFolder folder;
+  SequenceInput input = RealisticRoom();
+  input.spec.shutter = {.exposure_s = 0.02, .offset_s = 0.005};
+  RenderOptions options{.folder = folder / "s", .outputs = {Output::kSky}, .quiet = true};
+  RenderSequence(input, options);
+  const std::vector<StampedPose> middle = ReadTum(folder / "s/trajectory_rear.txt");
+  const std::vector<StampedPose> ends = ReadTum(folder / "s/exposure_rear.txt");
+  ASSERT_EQ(ends.size(), 2 * middle.size());
+  const std::unique_ptr<Trajectory> trajectory = MakeTrajectory(input.spec.trajectory);
+  const RigidTransform rig_from_camera = MakeCameras(input.spec)[1].rig_from_camera;
+  for (size_t i = 0; i < ends.size(); ++i) {
+    EXPECT_NEAR(ends[i].time_s - middle[i / 2].time_s, i % 2 == 0 ? -0.005 : 0.015, 1e-9);
+    const RigidTransform expected = trajectory->WorldFromRig(ends[i].time_s) * rig_from_camera;
+    EXPECT_LT((ends[i].world_from_rig.translation_m - expected.translation_m).norm(), 1e-6);
+    EXPECT_LT(ends[i].world_from_rig.rotation.angularDistance(expected.rotation), 1e-6);
+  }
+  // Without an exposure there is nothing to tell.
+  input.spec.shutter = {};
+  options.folder = folder / "still";
+  RenderSequence(input, options);
+  EXPECT_FALSE(std::filesystem::exists(folder / "still/exposure_rear.txt"));
 }
 
 TEST(MakeRigFile, HasTheImageHeightsOfTheChannels) {

@@ -23,6 +23,7 @@ TEST(FrameFile, PathsAreThoseOfTheDocumentedLayout) {
   EXPECT_EQ(path(Output::kRealistic), "equisolid/front/realistic/000024.png");
   EXPECT_EQ(path(Output::kRealisticJpeg), "equisolid/front/realistic/000024.jpg");
   EXPECT_EQ(path(Output::kBlur), "equisolid/front/blur/000024.exr");
+  EXPECT_EQ(path(Output::kRealisticLinear), "equisolid/front/realistic_linear/000024.exr");
   EXPECT_EQ(path(Output::kFlare), "equisolid/front/flare/000024.exr");
 }
 
@@ -55,8 +56,8 @@ TEST(FrameFile, OtherPathsAreNotFrameFiles) {
 TEST(OutputFromName, RefusesUnknownNamesAndListsTheKnown) {
   EXPECT_EQ(OutputFromName("sky"), Output::kSky);
   EXPECT_THAT(MessageOf<InputError>([] { OutputFromName("depth"); }),
-              testing::HasSubstr("expected realistic, clean, linear, distance, sky, blur or "
-                                 "flare, got 'depth'"));
+              testing::HasSubstr("expected realistic, clean, linear, distance, sky, blur, "
+                                 "realistic_linear or flare, got 'depth'"));
 }
 
 TEST(SequenceFiles, FindsDescriptionAndFramesButNotTheRest) {

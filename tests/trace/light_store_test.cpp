@@ -78,7 +78,7 @@ struct StoredScene {
     store.Compute(records, num_threads, progress);
   }
 
-  /// All that is missing, in two rounds: where bodies run into faces shows after the first.
+  /// All that is missing, in two rounds: where light changes fast shows after the first.
   std::vector<LightStore::RecordId> ComputeMissing(const std::vector<ShadingPoint>& points,
                                                    int num_threads) {
     std::vector<LightStore::RecordId> all;
@@ -190,6 +190,30 @@ TEST(LightStore, HasNoStepsWithinTriangles) {
   }
 }
 
+TEST(LightStore, ShadowsOfThinThingsAreNoWiderThanTheyAre) {
+  // A bar of 6 x 3 cm that lies 3 cm above the floor, over a row of records.
+  Scene scene;
+  scene.materials = {LambertianMaterial(Rgb::Constant(0.5F))};
+  scene.meshes = {FloorMesh(2.0F, 0)};
+  AddBox({-0.03F, -2.0F, 0.03F}, {0.06F, 4.0F, 0.03F}, 0, &scene.meshes);
+  scene.meshes.push_back(
+      ParallelogramMesh({-0.03F, -2.0F, 0.03F}, {0.0F, 4.0F, 0.0F}, {0.06F, 0.0F, 0.0F}, 0));
+  StoredScene stored(Spacing(0.25F), std::move(scene));
+  const auto light_at = [&](float x_m) {
+    const Vec3f origin_m(x_m, 0.1F, 0.02F);
+    const Vec3f down(0.0F, 0.0F, -1.0F);
+    const ShadingPoint point =
+        stored.lit.surfaces.Locate(*stored.lit.rays.Intersect(origin_m, down), down);
+    return stored.store.Lookup(point, LightDetail::kSeen).z[1];
+  };
+  const float shaded = light_at(0.0F);
+  const float open = light_at(1.0F);
+  EXPECT_LT(shaded, 0.5F * open);
+  // Interpolated to the next record, it would be less than three quarters here.
+  EXPECT_GT(light_at(0.12F), 0.85F * open);
+  EXPECT_GT(light_at(-0.12F), 0.85F * open);
+}
+
 TEST(LightStore, SidesOfATriangleAreApart) {
   StoredScene stored(Spacing(0.5F));
   const VectorIrradiance front =
@@ -219,7 +243,7 @@ TEST(LightStore, DoesNotDependOnOrderNorThreads) {
     asked.store.Lookup(points[i], LightDetail::kSeen);
   }
   EXPECT_GT(asked.store.NumRecords(), 500);
-  // Where a body runs into the face, a lookup does without the regular records.
+  // Where light changes fast, a lookup may do without some of the regular records.
   asked.ComputeMissing(points, 1);
   EXPECT_TRUE(asked.store.Serialize() == bytes);
 }
@@ -231,10 +255,10 @@ TEST(LightStore, WantsEachRecordOnceAndComputesNoOther) {
   EXPECT_TRUE(stored.Missing(points).empty());
   EXPECT_EQ(stored.store.NumRecords(), 0);
   stored.Compute(records, 2);
-  const size_t num_beside_bodies = stored.ComputeMissing(points, 2).size();
-  EXPECT_GT(num_beside_bodies, 0U);
+  const size_t num_finer = stored.ComputeMissing(points, 2).size();
+  EXPECT_GT(num_finer, 0U);
   EXPECT_TRUE(stored.Missing(points).empty());
-  const auto num_records = static_cast<int64_t>(records.size() + num_beside_bodies);
+  const auto num_records = static_cast<int64_t>(records.size() + num_finer);
   EXPECT_EQ(stored.store.NumRecords(), num_records);
   for (const ShadingPoint& point : points) {
     stored.store.Lookup(point, LightDetail::kSeen);

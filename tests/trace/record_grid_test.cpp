@@ -78,5 +78,21 @@ TEST(RecordGrid, SmallFacesHaveOneRecordInTheirMiddle) {
   EXPECT_LT((grid.PositionM(kCorners_m, 0, 0.0F) - Vec3f(2.0F, 0.5F, 0.0F)).norm(), 1e-5F);
 }
 
+TEST(ParallelogramApexes, BentOnesAreNone) {
+  // Skewed in their plane by less than a thousandth they are taken, off it only by rounding.
+  const auto is_one = [](const Vec3f& last_corner_m) {
+    Mesh mesh;
+    mesh.positions_m = {{0, 0, 0}, {2, 0, 0}, last_corner_m, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 3}, {2, 3, 1}};
+    return ParallelogramApexes(mesh, mesh.triangles[0], mesh.triangles[1]).has_value();
+  };
+  EXPECT_TRUE(is_one({2, 1, 0}));
+  EXPECT_TRUE(is_one({2.001F, 1, 0}));
+  EXPECT_FALSE(is_one({2.003F, 1, 0}));
+  EXPECT_TRUE(is_one({2, 1, 1e-5F}));
+  EXPECT_FALSE(is_one({2, 1, 2e-4F}));
+  EXPECT_FALSE(is_one({2, 1, -2e-4F}));
+}
+
 }  // namespace
 }  // namespace pfseq

@@ -53,6 +53,7 @@ struct ExpectedImage {
 ExpectedImage Expected(Output output) {
   switch (output) {
     case Output::kLinear:
+    case Output::kRealisticLinear:
     case Output::kFlare:
       return {3, OIIO::TypeDesc::HALF, "R"};
     case Output::kBlur:
@@ -85,6 +86,7 @@ class ViewCheck {
           sky = Read<uint8_t>(output);
           break;
         case Output::kLinear:
+        case Output::kRealisticLinear:
         case Output::kFlare:
           CheckRadiance(output, Read<float>(output));
           break;

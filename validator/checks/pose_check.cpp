@@ -114,6 +114,28 @@ std::optional<std::map<size_t, std::string>> CompareTrajectory(const CheckContex
   return differences;
 }
 
+/// Two poses for each frame; a folder whose shutter takes no time has none.
+void CheckExposure(const CheckContext& context, const std::string& camera, CheckReport& report) {
+  const std::string file = ExposureFile(camera);
+  const std::filesystem::path path = context.reader.Folder() / file;
+  if (!std::filesystem::exists(path)) {
+    return;
+  }
+  const std::vector<StampedPose>& poses = context.reader.Poses();
+  try {
+    const std::vector<StampedPose> ends = ReadTum(path);
+    if (ends.size() != 2 * poses.size()) {
+      report.AddFault(file,
+                      fmt::format("{} poses, expected two for each of {} frames in {}",
+                                  ends.size(),
+                                  poses.size(),
+                                  kPosesFile));
+    }
+  } catch (const InputError& fault) {
+    report.AddFault(file, WithoutPath(fault.what(), path));
+  }
+}
+
 }  // namespace
 
 void CheckPoses(const CheckContext& context, CheckReport& report) {
@@ -123,6 +145,9 @@ void CheckPoses(const CheckContext& context, CheckReport& report) {
     if (const auto differences = CompareTrajectory(context, camera, report)) {
       differences_by_camera[camera] = *differences;
     }
+  }
+  for (const std::string& camera : context.reader.Cameras()) {
+    CheckExposure(context, camera, report);
   }
   const size_t num_frames = context.reader.Poses().size();
   for (size_t frame = 0; frame < num_frames; ++frame) {

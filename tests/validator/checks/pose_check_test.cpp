@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validator/checks/pose_check.h"
 
+#include "renderer/core/file.h"
 #include "tests/support/temp_folder.h"
 #include "tests/validator/checks/finding_matchers.h"
 #include "tests/validator/test_sequence.h"
@@ -53,6 +54,19 @@ TEST_F(PoseCheck, SoundPosesHaveNoFindings) {
   const CheckReport report = Check();
   EXPECT_THAT(report.findings, IsEmpty());
   EXPECT_EQ(report.num_poses, 4U);
+}
+
+TEST_F(PoseCheck, AnExposureHasTwoPosesForEachFrame) {
+  const std::string pose = " 0 0 0 0 0 0 1\n";
+  std::string text;
+  for (const char* time_s : {"-0.01", "0.01", "0.39", "0.41", "0.79", "0.81", "1.19"}) {
+    text += time_s + pose;
+  }
+  WriteFileAtomically(folder_ / "exposure_front.txt", std::string_view(text));
+  EXPECT_THAT(Check().findings, ElementsAre(IsFault("exposure_front.txt", "7 poses, expected two")));
+  text += "1.21" + pose;
+  WriteFileAtomically(folder_ / "exposure_front.txt", std::string_view(text));
+  EXPECT_THAT(Check().findings, IsEmpty());
 }
 
 TEST_F(PoseCheck, APositionThatAllTrajectoriesContradictIsAnEditedPose) {
