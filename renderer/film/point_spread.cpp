@@ -172,6 +172,18 @@ SpreadKernel PointSpread::KernelAt(const Vec2d& place_px) const {
   return kernel.Trimmed();
 }
 
+std::shared_ptr<KernelGrid> PointSpread::KernelsFor(int width_px, int height_px) const {
+  const std::lock_guard lock(kernels_mutex_);
+  if (kernels_ == nullptr || kernels_->WidthPx() != width_px ||
+      kernels_->HeightPx() != height_px) {
+    kernels_ = std::make_shared<KernelGrid>(
+        width_px, height_px, kBlockPx, principal_point_px_, [this](const Vec2d& middle_px) {
+          return KernelAt(middle_px);
+        });
+  }
+  return kernels_;
+}
+
 Image<float> PointSpread::Apply(const CellFilm& film, int num_threads) const {
   const int width_px = film.WidthPx();
   const int height_px = film.HeightPx();
@@ -186,22 +198,26 @@ Image<float> PointSpread::Apply(const CellFilm& film, int num_threads) const {
   }
   ++margin_px;
   const Planes planes(film, margin_px, num_threads);
+  const std::shared_ptr<KernelGrid> kernels = KernelsFor(width_px, height_px);
   Image<float> image(width_px, height_px, 3);
   const auto num_rows = static_cast<size_t>((height_px + kBlockPx - 1) / kBlockPx);
   ParallelFor(num_rows, num_threads, [&](size_t block_row) {
     const int y0 = static_cast<int>(block_row) * kBlockPx;
     for (int x0 = 0; x0 < width_px; x0 += kBlockPx) {
-      const SpreadKernel kernel = KernelAt(Vec2d(x0 + 0.5 * kBlockPx, y0 + 0.5 * kBlockPx));
-      const int skipped = std::max(0, kernel.ReachPx() - margin_px) * kCells;
+      const KernelGrid::Oriented kernel =
+          kernels->Of(x0 / kBlockPx, static_cast<int>(block_row));
+      const int reach_px = kernel.kernel->ReachPx();
+      const int side = kernel.kernel->Side();
+      const int skipped = std::max(0, reach_px - margin_px) * kCells;
       for (int y = y0; y < std::min(y0 + kBlockPx, height_px); ++y) {
         std::array<std::array<float, kBlockPx>, 3> sums{};
         for (size_t channel = 0; channel < 3; ++channel) {
           std::array<float, kBlockPx> sum{};
-          for (int j = skipped; j < kernel.Side() - skipped; ++j) {
-            for (int i = skipped; i < kernel.Side() - skipped; ++i) {
+          for (int j = skipped; j < side - skipped; ++j) {
+            for (int i = skipped; i < side - skipped; ++i) {
               const float weight = kernel.At(channel, i, j);
-              const float* cells = planes.Row(x0 - kernel.ReachPx() + i / kCells,
-                                              y - kernel.ReachPx() + j / kCells,
+              const float* cells = planes.Row(x0 - reach_px + i / kCells,
+                                              y - reach_px + j / kCells,
                                               i % kCells,
                                               j % kCells,
                                               static_cast<int>(channel));

@@ -6,12 +6,15 @@
 
 #include "renderer/core/image.h"
 #include "renderer/film/cell_film.h"
+#include "renderer/film/kernel_grid.h"
 #include "renderer/film/spread_kernel.h"
 #include "renderer/lens/lateral_color.h"
 #include "renderer/lens/lens.h"
 #include "renderer/lens/spectrum.h"
 #include "renderer/sequence/camera_spec.h"
 
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace pfseq {
@@ -30,7 +33,8 @@ class PointSpread {
   /// Pixel figures of the spec are taken as they are. The lens must outlive this.
   PointSpread(const OpticsSpec& spec, const Lens& lens);
 
-  /// The pixels of an image. Beyond the film's edges the light at the edge goes on.
+  /// The pixels of an image. Beyond the film's edges the light at the edge goes on. The first film
+  /// takes longer than others of its size.
   Image<float> Apply(const CellFilm& film, int num_threads) const;
 
  private:
@@ -44,12 +48,16 @@ class PointSpread {
 
   std::vector<Node> NodesAt(const Vec2d& place_px) const;
   SpreadKernel KernelAt(const Vec2d& place_px) const;
+  /// The kernels of an image of this size.
+  std::shared_ptr<KernelGrid> KernelsFor(int width_px, int height_px) const;
 
   OpticsSpec spec_;
   Vec2d principal_point_px_;
   double circle_radius_px_;
   LateralColor lateral_color_;
   std::vector<SpectralSample> spectrum_;
+  mutable std::mutex kernels_mutex_;
+  mutable std::shared_ptr<KernelGrid> kernels_;
 };
 
 /// The optics at an image width: its pixel figures scaled and image_width_px 0.
