@@ -84,7 +84,7 @@ def say(text):
 def compare_distances(ours_m, cycles_m, mask):
     """Where both meet something, and how many pixels only one of them calls sky."""
     both = mask & np.isfinite(ours_m) & np.isfinite(cycles_m)
-    difference_m = np.abs(ours_m - cycles_m)[both]
+    difference_m = np.abs(ours_m[both] - cycles_m[both])
     relative = difference_m / ours_m[both]
     return {
         "num_pixels": int(both.sum()),
