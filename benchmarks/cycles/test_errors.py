@@ -2,13 +2,15 @@
 """Tests of the comparison's formulas. Run: python3 -m unittest discover -s benchmarks/cycles"""
 
 import math
+import pathlib
+import tempfile
 import unittest
 
 import numpy as np
 
 import cycles_job
 import errors
-from sequence_folder import Lens, rotation_from_quaternion
+from sequence_folder import Lens, SequenceFolder, rotation_from_quaternion
 
 FOV_RAD = math.radians(181.8)
 
@@ -127,6 +129,19 @@ class CyclesLens(unittest.TestCase):
         self.assertEqual(cycles_job.cycles_bounces(6), 5)
         with self.assertRaises(ValueError):
             cycles_job.cycles_bounces(0)
+
+
+class Exposure(unittest.TestCase):
+    def test_is_that_of_the_frame_or_its_own_pose_twice(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = SequenceFolder.__new__(SequenceFolder)
+            folder.path = pathlib.Path(name)
+            (folder.path / "trajectory_front.txt").write_text("0 1 0 0 0 0 0 1\n1 5 0 0 0 0 0 1\n")
+            still = folder.exposure("front", 1)
+            self.assertEqual([pose[0, 3] for pose in still], [5, 5])
+            (folder.path / "exposure_front.txt").write_text(
+                "".join(f"{t} {x} 0 0 0 0 0 1\n" for t, x in ((-0.1, 1), (0.1, 2), (0.9, 4), (1.1, 6))))
+            self.assertEqual([pose[0, 3] for pose in folder.exposure("front", 1)], [4, 6])
 
 
 class Geometry(unittest.TestCase):
