@@ -51,6 +51,9 @@ for name in pfseq strong; do
 done
 
 size=$(oiiotool "$work/clean.png" --echo "{TOP.width}" | head -n 1)
+# Without a font there are no labels; the rows are told at the end.
+has_font=0
+oiiotool --create 64x64 3 --text:size=10 x -o "$work/label.png" >/dev/null 2>&1 && has_font=1
 crops=()
 for name in "${names[@]}"; do
   for share in 0 0.5 0.9; do
@@ -59,10 +62,10 @@ for name in "${names[@]}"; do
     top=$(awk -v s="$size" -v c="$crop" -v f="$share" \
       'BEGIN { t = int(s / 2 - f * s / 2 * 1124 / 1200 - c / 2); print t < 0 ? 0 : t }')
     label=()
-    [[ $share == 0 ]] && label=(--text:x=8:y=24:size=20:color=1,1,0:shadow=2 "$name")
+    [[ $share == 0 && $has_font == 1 ]] && label=(--text:x=8:y=24:size=20:color=1,1,0:shadow=2 "$name")
     oiiotool "$work/$name.png" --ch 0,1,2 --cut "${crop}x${crop}+$left+$top" "${label[@]}" -o "$work/$name-$share.png"
     crops+=("$work/$name-$share.png")
   done
 done
 oiiotool "${crops[@]}" --mosaic:pad=4 "3x${#names[@]}" -o "$sheet"
-echo "$sheet: ${names[*]}"
+echo "$sheet, rows from above: ${names[*]}"
