@@ -35,6 +35,21 @@ Vec2f PlaceInCell(int i) {
                         static_cast<float>(2.0 * (v - std::floor(v)) - 1.0));
 }
 
+/// Tells by the records around a point whether light changes fast there.
+class FastChange {
+ public:
+  /// Whether it does, by this record and those before.
+  bool ShowsIn(const LightRecord& record) {
+    least_level_ = std::min(least_level_, record.Level());
+    greatest_level_ = std::max(greatest_level_, record.Level());
+    return record.IsBesideBody() || greatest_level_ - least_level_ > kFastChangeInLevels;
+  }
+
+ private:
+  int least_level_ = std::numeric_limits<int>::max();
+  int greatest_level_ = 0;
+};
+
 bool IsDark(const VectorIrradiance& light) {
   return (light.x.abs() + light.y.abs() + light.z.abs()).maxCoeff() <= 0.0F;
 }
@@ -193,8 +208,7 @@ VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detai
   const RecordGrid::Stencil stencil =
       face.grid.StencilAt(face_idx != point.triangle_idx, point.u, point.v);
   const bool may_be_finer = detail == LightDetail::kSeen && face.grid.NumRecords() > 1;
-  int least_level = std::numeric_limits<int>::max();
-  int greatest_level = 0;
+  FastChange change;
   VectorIrradiance light;
   float sum_of_weights = 0.0F;
   for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
@@ -207,10 +221,7 @@ VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detai
       }
       record = &computed;
     }
-    least_level = std::min(least_level, record->Level());
-    greatest_level = std::max(greatest_level, record->Level());
-    if (may_be_finer &&
-        (record->IsBesideBody() || greatest_level - least_level > kFastChangeInLevels)) {
+    if (may_be_finer && change.ShowsIn(*record)) {
       return Lookup(point, LightDetail::kFine);
     }
     const float weight = stencil.weights[i] * (record->IsBuried() ? kBuriedWeight : 1.0F);
@@ -240,8 +251,7 @@ void LightStore::Want(const ShadingPoint& point,
   const RecordGrid::Stencil stencil =
       face.grid.StencilAt(face_idx != point.triangle_idx, point.u, point.v);
   bool is_finer = false;
-  int least_level = std::numeric_limits<int>::max();
-  int greatest_level = 0;
+  FastChange change;
   for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
     LightRecord* record = RecordAt(face, point.is_front, stencil.records[i]);
     if (record == nullptr) {
@@ -250,12 +260,7 @@ void LightStore::Want(const ShadingPoint& point,
     if (record->MarkWanted()) {
       missing.push_back({face_idx, stencil.records[i], point.is_front, detail});
     }
-    if (record->IsReady()) {
-      least_level = std::min(least_level, record->Level());
-      greatest_level = std::max(greatest_level, record->Level());
-      is_finer = is_finer || record->IsBesideBody() ||
-                 greatest_level - least_level > kFastChangeInLevels;
-    }
+    is_finer = (record->IsReady() && change.ShowsIn(*record)) || is_finer;
   }
   if (is_finer && detail == LightDetail::kSeen && face.grid.NumRecords() > 1) {
     Want(point, LightDetail::kFine, missing);

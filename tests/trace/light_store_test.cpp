@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/trace/light_store.h"
 
-#include "renderer/core/random.h"
-#include "tests/trace/lit_scene.h"
-#include "tests/trace/shapes.h"
+#include "tests/trace/stored_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -18,108 +16,6 @@
 
 namespace pfseq {
 namespace {
-
-GatherOptions FewRays() {
-  GatherOptions options;
-  options.num_rays = 64;
-  return options;
-}
-
-/// A floor of 4 x 3 m, a wall on it and a ball with triangles of all shapes.
-Scene Yard() {
-  Scene scene;
-  scene.materials = {LambertianMaterial(Rgb(0.6F, 0.5F, 0.4F)),
-                     LambertianMaterial(Rgb(0.1F, 0.7F, 0.2F))};
-  scene.meshes = {
-      ParallelogramMesh({-2.0F, -1.5F, 0.0F}, {4.0F, 0.0F, 0.0F}, {0.5F, 3.0F, 0.0F}, 0)};
-  AddBox({1.6F, -0.9F, 0.0F}, {0.2F, 1.7F, 1.6F}, 1, &scene.meshes);
-  scene.meshes.push_back(SphereMesh({-0.8F, 0.4F, 0.6F}, 0.5F, 1));
-  return scene;
-}
-
-/// A store over a scene of its own.
-struct StoredScene {
-  explicit StoredScene(const LightStoreOptions& options, Scene scene = Yard())
-      : lit(std::move(scene),
-            SunAndConstantSky({1.0, 0.3, 1.5}, Rgb::Constant(5.0F), Rgb(0.7F, 0.8F, 1.0F)),
-            FewRays()),
-        store(lit.surfaces, lit.gatherer, options) {}
-
-  /// What rays at the scene from all sides meet.
-  std::vector<ShadingPoint> Points(int num_rays) const {
-    std::vector<ShadingPoint> points;
-    RandomStream random({8});
-    for (int i = 0; i < num_rays; ++i) {
-      const double x = random.Uniform(-4.0, 4.0);
-      const double y = random.Uniform(-4.0, 4.0);
-      const Vec3f origin_m = Vec3d(x, y, random.Uniform(-1.0, 4.0)).cast<float>();
-      const double target_x = random.Uniform(-1.8, 1.8);
-      const double target_y = random.Uniform(-1.4, 1.4);
-      const Vec3f target_m = Vec3d(target_x, target_y, random.Uniform(0.0, 1.0)).cast<float>();
-      const Vec3f direction = (target_m - origin_m).normalized();
-      const std::optional<PacketHit> hit = lit.rays.Intersect(origin_m, direction);
-      if (hit.has_value()) {
-        points.push_back(lit.surfaces.Locate(*hit, direction));
-      }
-    }
-    return points;
-  }
-
-  std::vector<LightStore::RecordId> Missing(const std::vector<ShadingPoint>& points) {
-    std::vector<LightStore::RecordId> missing;
-    for (const ShadingPoint& point : points) {
-      store.Want(point, LightDetail::kSeen, missing);
-    }
-    return missing;
-  }
-
-  void Compute(const std::vector<LightStore::RecordId>& records, int num_threads) {
-    Progress progress("", records.size(), true);
-    store.Compute(records, num_threads, progress);
-  }
-
-  /// All that is missing, in two rounds: where light changes fast shows after the first.
-  std::vector<LightStore::RecordId> ComputeMissing(const std::vector<ShadingPoint>& points,
-                                                   int num_threads) {
-    std::vector<LightStore::RecordId> all;
-    for (int round = 0; round < 2; ++round) {
-      const std::vector<LightStore::RecordId> missing = Missing(points);
-      Compute(missing, num_threads);
-      all.insert(all.end(), missing.begin(), missing.end());
-    }
-    return all;
-  }
-
-  LitScene lit;
-  LightStore store;
-};
-
-LightStoreOptions Spacing(float spacing_m) {
-  LightStoreOptions options;
-  options.spacing_m = spacing_m;
-  return options;
-}
-
-bool IsSame(const VectorIrradiance& a, const VectorIrradiance& b) {
-  return (a.x == b.x).all() && (a.y == b.y).all() && (a.z == b.z).all();
-}
-
-/// A place on the floor, the first mesh, by shares of its two edges.
-ShadingPoint FloorPoint(float along_edge1, float along_edge2, bool is_front = true) {
-  ShadingPoint point;
-  point.is_front = is_front;
-  point.geometric_normal = Vec3f(0.0F, 0.0F, is_front ? 1.0F : -1.0F);
-  if (along_edge1 >= along_edge2) {
-    point.triangle_idx = 0;
-    point.u = along_edge1 - along_edge2;
-    point.v = along_edge2;
-  } else {
-    point.triangle_idx = 1;
-    point.u = along_edge1;
-    point.v = along_edge2 - along_edge1;
-  }
-  return point;
-}
 
 TEST(LightStore, IsBilinearOverAParallelogram) {
   // Records a metre apart: 4 x 4 cells (the slanted edge is longer than 3 m), the outermost ones a
@@ -265,98 +161,6 @@ TEST(LightStore, WantsEachRecordOnceAndComputesNoOther) {
   }
   // All were there.
   EXPECT_EQ(stored.store.NumRecords(), num_records);
-}
-
-TEST(LightStore, SerialisedAndLoadedIsTheSame) {
-  StoredScene stored(Spacing(0.25F));
-  const std::vector<ShadingPoint> points = stored.Points(300);
-  stored.ComputeMissing(points, 2);
-  const std::string bytes = stored.store.Serialize();
-
-  StoredScene loaded(Spacing(0.25F));
-  ASSERT_TRUE(loaded.store.Load(bytes));
-  EXPECT_EQ(loaded.store.NumRecords(), stored.store.NumRecords());
-  EXPECT_TRUE(loaded.store.Serialize() == bytes);
-  for (const ShadingPoint& point : points) {
-    ASSERT_TRUE(IsSame(loaded.store.Lookup(point, LightDetail::kSeen),
-                       stored.store.Lookup(point, LightDetail::kSeen)));
-  }
-  EXPECT_EQ(loaded.store.NumRecords(), stored.store.NumRecords());
-  EXPECT_TRUE(loaded.Missing(points).empty());
-}
-
-TEST(LightStore, LoadsWhatIsThereFromTwoRuns) {
-  StoredScene first(Spacing(0.25F));
-  const std::vector<ShadingPoint> points = first.Points(300);
-  const std::vector<ShadingPoint> half(points.begin(), points.begin() + 150);
-  first.Compute(first.Missing(half), 1);
-  StoredScene both(Spacing(0.25F));
-  both.Compute(both.Missing(points), 1);
-  StoredScene second(Spacing(0.25F));
-  second.Compute(second.Missing({points.begin() + 100, points.end()}), 1);
-  ASSERT_TRUE(second.store.Load(first.store.Serialize()));
-  EXPECT_TRUE(second.store.Serialize() == both.store.Serialize());
-}
-
-TEST(LightStore, RefusesBytesThatAreNotItsOwnAndLoadsNothing) {
-  StoredScene stored(Spacing(0.25F));
-  stored.Compute(stored.Missing(stored.Points(200)), 2);
-  const std::string bytes = stored.store.Serialize();
-
-  StoredScene loaded(Spacing(0.25F));
-  const std::string empty = loaded.store.Serialize();
-  const auto expect_refused = [&](std::string_view damaged, const std::string& what) {
-    EXPECT_FALSE(loaded.store.Load(damaged)) << what;
-    EXPECT_EQ(loaded.store.NumRecords(), 0) << what;
-    EXPECT_TRUE(loaded.store.Serialize() == empty) << what;
-  };
-  // Less than a page's header and a record is lacking.
-  for (size_t lacking = 1; lacking <= 24; ++lacking) {
-    expect_refused(std::string_view(bytes).substr(0, bytes.size() - lacking), "truncated");
-  }
-  for (const size_t size : {size_t{0}, size_t{7}, size_t{11}, size_t{19}}) {
-    expect_refused(std::string_view(bytes).substr(0, size), "nearly nothing");
-  }
-  expect_refused(bytes + "x", "a byte too many");
-  expect_refused(std::string(5000, '\xA5'), "garbage");
-  std::string garbage = bytes;
-  for (size_t i = 8; i < garbage.size(); ++i) {
-    garbage[i] = static_cast<char>(HashKey({i}));
-  }
-  expect_refused(garbage, "garbage after the number of triangles");
-
-  Scene smaller = Yard();
-  smaller.meshes.pop_back();
-  StoredScene other(Spacing(0.25F), smaller);
-  EXPECT_FALSE(other.store.Load(bytes));
-  EXPECT_EQ(other.store.NumRecords(), 0);
-  ASSERT_TRUE(loaded.store.Load(bytes));
-}
-
-TEST(LightStore, RefusesRecordsThatAFaceDoesNotHave) {
-  // The floor has 25 records a metre apart: three pages of eight and one record on the fourth.
-  const auto bytes_with = [](uint32_t face_idx, uint32_t page_idx, uint32_t ready, uint16_t state) {
-    std::string bytes;
-    const auto append = [&](const auto& value) {
-      bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
-    };
-    append(uint64_t{StoredScene(Spacing(1.0F)).lit.surfaces.NumTriangles()});
-    append(std::array<uint32_t, 3>{face_idx, page_idx, ready});
-    append(std::array<uint16_t, 12>{0, 0, 0, state});
-    return bytes;
-  };
-  const auto loads = [&](const std::string& bytes) {
-    StoredScene stored(Spacing(1.0F));
-    const bool is_loaded = stored.store.Load(bytes);
-    EXPECT_EQ(stored.store.NumRecords(), is_loaded ? 1 : 0);
-    return is_loaded;
-  };
-  EXPECT_TRUE(loads(bytes_with(0, 3, 1U, 2)));
-  EXPECT_FALSE(loads(bytes_with(0, 3, 2U, 2))) << "a 26th record";
-  EXPECT_FALSE(loads(bytes_with(0, 8, 1U, 2))) << "a fifth page of the back";
-  EXPECT_FALSE(loads(bytes_with(1, 0, 1U, 2))) << "the parallelogram's second triangle";
-  EXPECT_FALSE(loads(bytes_with(100000, 0, 1U, 2))) << "a triangle too many";
-  EXPECT_FALSE(loads(bytes_with(0, 3, 1U, 1))) << "a record that was wanted alone";
 }
 
 TEST(LightStore, IsRightOnASlabBesideAWallThroughIt) {
