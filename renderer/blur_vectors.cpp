@@ -9,7 +9,7 @@ namespace pfseq {
 namespace {
 
 /// Share of the exposure over which the velocity is measured.
-constexpr double kStepShare = 1e-3;
+constexpr double kStepShare = 2e-3;
 
 /// A point of the scene: at infinity without a distance.
 struct ScenePoint {
@@ -25,6 +25,25 @@ struct ScenePoint {
 
 }  // namespace
 
+Vec2d ImageMotion::AtPx(int x, int y) const {
+  const std::optional<Vec3d> direction_camera = raster_->CentreDirection(x, y);
+  if (!direction_camera.has_value()) {
+    return Vec2d::Zero();
+  }
+  ScenePoint point{middle_.translation_m, middle_.Direction(*direction_camera), std::nullopt};
+  const std::optional<RayHit> hit = scene_->Intersect(point.origin_m, point.direction);
+  if (hit.has_value()) {
+    point.distance_m = hit->distance_m;
+  }
+  // At the rim one of the two may leave the field of view: then the other half counts twice.
+  const Vec2d middle_px(x + 0.5, y + 0.5);
+  const Lens& lens = raster_->OwnLens();
+  const std::optional<Vec2d> first_px = lens.Project(point.DirectionIn(from_world_[0]));
+  const std::optional<Vec2d> last_px = lens.Project(point.DirectionIn(from_world_[1]));
+  const Vec2d moved_px = last_px.value_or(middle_px) - first_px.value_or(middle_px);
+  return first_px.has_value() && last_px.has_value() ? moved_px : Vec2d(2.0 * moved_px);
+}
+
 Image<float> RenderBlurVectors(const RayScene& scene,
                                const LensRaster& raster,
                                const std::function<RigidTransform(double)>& world_from_camera_at,
@@ -34,36 +53,18 @@ Image<float> RenderBlurVectors(const RayScene& scene,
   if (exposure_s <= 0.0) {
     return vectors;
   }
-  const double step_s = kStepShare * exposure_s;
-  const RigidTransform world_from_camera = world_from_camera_at(0.0);
-  const RigidTransform before = world_from_camera_at(-step_s).Inverse();
-  const RigidTransform after = world_from_camera_at(step_s).Inverse();
+  const double half_step_s = 0.5 * kStepShare * exposure_s;
+  const ImageMotion motion(scene,
+                           raster,
+                           world_from_camera_at(0.0),
+                           world_from_camera_at(-half_step_s),
+                           world_from_camera_at(half_step_s));
   ParallelFor(static_cast<size_t>(raster.HeightPx()), num_threads, [&](size_t row) {
     const auto y = static_cast<int>(row);
     for (int x = 0; x < raster.WidthPx(); ++x) {
-      const std::optional<Vec3d> direction_camera = raster.CentreDirection(x, y);
-      if (!direction_camera.has_value()) {
-        continue;
-      }
-      ScenePoint point{world_from_camera.translation_m,
-                       world_from_camera.Direction(*direction_camera),
-                       std::nullopt};
-      const std::optional<RayHit> hit = scene.Intersect(point.origin_m, point.direction);
-      if (hit.has_value()) {
-        point.distance_m = hit->distance_m;
-      }
-      // At the rim one of the two may leave the field of view.
-      const Vec2d middle_px(x + 0.5, y + 0.5);
-      const Lens& lens = raster.OwnLens();
-      const std::optional<Vec2d> start_px = lens.Project(point.DirectionIn(before));
-      const std::optional<Vec2d> end_px = lens.Project(point.DirectionIn(after));
-      const int num_steps = (start_px.has_value() ? 1 : 0) + (end_px.has_value() ? 1 : 0);
-      if (num_steps > 0) {
-        const Vec2d moved_px = end_px.value_or(middle_px) - start_px.value_or(middle_px);
-        const Vec2d vector_px = moved_px / (num_steps * kStepShare);
-        vectors.At(x, y, 0) = static_cast<float>(vector_px.x());
-        vectors.At(x, y, 1) = static_cast<float>(vector_px.y());
-      }
+      const Vec2d vector_px = motion.AtPx(x, y) / kStepShare;
+      vectors.At(x, y, 0) = static_cast<float>(vector_px.x());
+      vectors.At(x, y, 1) = static_cast<float>(vector_px.y());
     }
   });
   return vectors;

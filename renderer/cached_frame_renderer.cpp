@@ -4,6 +4,7 @@
 #include "renderer/core/parallel.h"
 #include "renderer/pixel_context.h"
 #include "renderer/pixel_rays.h"
+#include "renderer/trail_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,19 +121,24 @@ class PacketBuilder {
 /// Renders pixels of a view into their sums.
 class ViewSampler {
  public:
-  ViewSampler(const LensRaster& raster,
+  ViewSampler(const CachedLightTracer& tracer,
+              const LensRaster& raster,
               const View& view,
               const PixelSampling& sampling,
+              int num_threads,
               CellFilm* film)
       : raster_(raster),
         view_(view),
         film_(film),
-        exposure_(view.exposure != nullptr && !view.exposure->IsStill() ? view.exposure : nullptr),
-        still_(exposure_ == nullptr ? view.world_from_camera : RigidTransform{}),
+        still_(view.world_from_camera),
         origin_m_(view.world_from_camera.translation_m.cast<float>()),
         sampling_(sampling),
-
-        sums_(static_cast<size_t>(view.width_px) * static_cast<size_t>(view.height_px)) {}
+        sums_(static_cast<size_t>(view.width_px) * static_cast<size_t>(view.height_px)) {
+    if (view.exposure != nullptr && !view.exposure->IsStill()) {
+      still_ = {};
+      trail_.emplace(tracer.Rays(), raster, view.world_from_camera, *view.exposure, num_threads);
+    }
+  }
 
   PixelSums& SumsOf(int x, int y) { return sums_[Index(x, y)]; }
 
@@ -145,22 +151,29 @@ class ViewSampler {
     if (raster_.IsOutside(x, y)) {
       return;
     }
+    const bool moves = trail_.has_value();
     const PixelRays rays(raster_, still_, x, y);
     const Strata strata(num_samples);
     const PixelSampler pixel(
         view_.seed, view_.frame, view_.view_idx, static_cast<uint64_t>(Index(x, y)), 0);
     for (int i = first; i < num_samples; ++i) {
       PixelSampler sampler = pixel.ForSample(static_cast<uint32_t>(i));
-      const Vec2f place = sampler.Get2D().cast<float>().cwiseMin(kBelowOne);
+      Vec3d sample = Vec3d::Zero();
+      if (moves) {
+        sample = sampler.Get3D();
+      } else {
+        sample.head<2>() = sampler.Get2D();
+      }
+      const Vec2f place = sample.head<2>().cast<float>().cwiseMin(kBelowOne);
       const std::optional<Vec3f> direction = rays.Direction(place);
       CellFilm::Cell* cell = film_ != nullptr ? &film_->At(x, y, place) : nullptr;
       if (direction.has_value()) {
         const CameraRay ray =
-            exposure_ == nullptr
-                ? CameraRay{origin_m_,
-                            *direction,
-                            rays.Footprint(place, strata.Middle(place), strata)}
-                : MovingRay(*direction, rays.MovingFootprint(place), x, y, place, sampler);
+            moves ? MovingRay(trail_->PoseOf(x, y, place, {sample.z(), sampler.Get1D()}),
+                              *direction,
+                              rays.MovingFootprint(place))
+                  : CameraRay{
+                        origin_m_, *direction, rays.Footprint(place, strata.Middle(place), strata)};
         builder.Add(ray, sampler, {&sums, i < sampling_.num_samples / 2, cell});
       } else if (cell != nullptr) {
         cell->num_samples += 1.0F;
@@ -196,21 +209,15 @@ class ViewSampler {
  private:
   static constexpr float kBelowOne = 0x1.fffffep-1F;
 
-  /// The ray of a direction and footprint in the camera at a time of the exposure.
-  CameraRay MovingRay(const Vec3f& direction,
-                      const RayFootprint& footprint,
-                      int x,
-                      int y,
-                      const Vec2f& place,
-                      PixelSampler& sampler) const {
-    const Vec2d image_place((x + place.x()) / view_.width_px, (y + place.y()) / view_.height_px);
-    const ExposurePoses::Pose pose =
-        exposure_->At(exposure_->OwnShutter().TimeS(sampler.Get2D(), image_place));
-    return {pose.origin_m,
-            pose.world_from_camera * direction,
+  /// The ray of a direction and footprint in a camera.
+  static CameraRay MovingRay(const ExposurePoses::Pose& camera,
+                             const Vec3f& direction,
+                             const RayFootprint& footprint) {
+    return {camera.origin_m,
+            camera.world_from_camera * direction,
             {Vec3f::Zero(),
-             pose.world_from_camera * footprint.axis_x,
-             pose.world_from_camera * footprint.axis_y}};
+             camera.world_from_camera * footprint.axis_x,
+             camera.world_from_camera * footprint.axis_y}};
   }
 
   size_t Index(int x, int y) const {
@@ -220,8 +227,8 @@ class ViewSampler {
   const LensRaster& raster_;
   const View& view_;
   CellFilm* film_;
-  /// Null when nothing moves.
-  const ExposurePoses* exposure_;
+  /// Nothing when the camera rests.
+  std::optional<TrailSampling> trail_;
   /// World from camera; the identity when the camera moves.
   RigidTransform still_;
   Vec3f origin_m_;
@@ -259,7 +266,7 @@ Image<float> RenderCachedRadiance(const CachedLightTracer& tracer,
                                   Progress* progress,
                                   const std::function<std::string(int x, int y)>& describe_pixel,
                                   CellFilm* film) {
-  ViewSampler sampler(raster, view, sampling, film);
+  ViewSampler sampler(tracer, raster, view, sampling, num_threads, film);
   const auto for_each_pixel = [&](const auto& num_samples_at) {
     ForEachTile(view, num_threads, [&](const Tile& tile) {
       PixelContext context(describe_pixel);
@@ -317,7 +324,7 @@ std::vector<LightStore::RecordId> WantedRecords(const CachedLightTracer& tracer,
                                                 const View& view,
                                                 const PixelSampling& sampling,
                                                 int num_threads) {
-  ViewSampler sampler(raster, view, sampling, nullptr);
+  ViewSampler sampler(tracer, raster, view, sampling, num_threads, nullptr);
   std::vector<LightStore::RecordId> all;
   std::mutex mutex;
   ForEachTile(view, num_threads, [&](const Tile& tile) {

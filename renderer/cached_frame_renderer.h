@@ -30,9 +30,9 @@ struct PixelSampling {
 /// but by stored light. Every pixel gets its first samples; from these alone it follows how many
 /// more it and its neighbours get, so that the image does not depend on the number of threads. Of
 /// each first sample's stratum of the pixel, textures are looked up in the middle, over the
-/// stratum; samples of a view that moves in its exposure have a time in it and stand for the whole
-/// pixel. `progress`, when given, is advanced by one for each pixel. `film`, when given, collects
-/// all samples in its cells.
+/// stratum; samples of a view that moves in its exposure have a time in it, as TrailSampling says,
+/// and stand for the whole pixel. `progress`, when given, is advanced by one for each pixel.
+/// `film`, when given, collects all samples in its cells.
 Image<float> RenderCachedRadiance(const CachedLightTracer& tracer,
                                   const LensRaster& raster,
                                   const View& view,

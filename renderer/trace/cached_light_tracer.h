@@ -45,6 +45,8 @@ class CachedLightTracer {
   /// Appends the records that Radiance would look up and nobody has wanted before.
   void WantRecords(CameraPacket& packet, std::vector<LightStore::RecordId>& missing) const;
 
+  const RayScene& Rays() const { return rays_; }
+
  private:
   /// Of sky and sun, the sun's times a weight.
   Rgb EscapedLight(const Vec3f& direction, float sun_weight) const;

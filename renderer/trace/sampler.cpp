@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/trace/sampler.h"
 
+#include <array>
+#include <bit>
+
 namespace pfseq {
 namespace {
 
@@ -36,11 +39,42 @@ constexpr uint32_t ReversedPascal(uint32_t index) {
   return index;
 }
 
+/// Where the bits of an index stand in dimension 2, each with its bits in reverse order.
+constexpr std::array<uint32_t, 32> kThirdDirections = [] {
+  // m_k = 2 m_(k-1) xor 4 m_(k-2) xor m_(k-2), of which the k-th has k bits before the point.
+  std::array<uint32_t, 32> numbers{1, 3};
+  std::array<uint32_t, 32> directions{};
+  for (size_t k = 0; k < numbers.size(); ++k) {
+    if (k >= 2) {
+      numbers[k] = 2 * numbers[k - 1] ^ 4 * numbers[k - 2] ^ numbers[k - 2];
+    }
+    directions[k] = ReverseBits(numbers[k] << (31 - k));
+  }
+  return directions;
+}();
+
+constexpr uint32_t ReversedThird(uint32_t index) {
+  uint32_t result = 0;
+  for (uint32_t bits = index; bits != 0; bits &= bits - 1) {
+    result ^= kThirdDirections[static_cast<size_t>(std::countr_zero(bits))];
+  }
+  return result;
+}
+
+/// From a draw's hash to another one.
+constexpr uint64_t kNextHash = 0x9e3779b97f4a7c15ULL;
+
+double Fraction(uint32_t reversed_bits, uint64_t seed) {
+  return ReverseBits(ScrambleReversed(reversed_bits, static_cast<uint32_t>(seed))) * 0x1.0p-32;
+}
+
 }  // namespace
 
 SobolPoint Sobol2D(uint32_t index) {
   return {ReverseBits(index), ReverseBits(ReversedPascal(index))};
 }
+
+uint32_t SobolThird(uint32_t index) { return ReverseBits(ReversedThird(index)); }
 
 uint32_t NestedUniformScramble(uint32_t bits, uint32_t seed) {
   return ReverseBits(ScrambleReversed(ReverseBits(bits), seed));
@@ -50,13 +84,18 @@ double PixelSampler::Get1D() { return Get2D().x(); }
 
 Vec2d PixelSampler::Get2D() {
   const uint64_t hash = HashKey({key_, draw_idx_++});
-  const uint64_t more_hash = MixBits(hash + 0x9e3779b97f4a7c15ULL);
+  const uint64_t more_hash = MixBits(hash + kNextHash);
   const uint32_t index = NestedUniformScramble(sample_idx_, static_cast<uint32_t>(hash));
   // As Sobol2D and two scramblings, less the reversals that cancel.
-  const uint32_t x = ReverseBits(ScrambleReversed(index, static_cast<uint32_t>(hash >> 32)));
-  const uint32_t y =
-      ReverseBits(ScrambleReversed(ReversedPascal(index), static_cast<uint32_t>(more_hash)));
-  return {x * 0x1.0p-32, y * 0x1.0p-32};
+  return {Fraction(index, hash >> 32), Fraction(ReversedPascal(index), more_hash)};
+}
+
+Vec3d PixelSampler::Get3D() {
+  const uint64_t hash = HashKey({key_, draw_idx_});
+  const uint64_t more_hash = MixBits(hash + kNextHash);
+  const uint32_t index = NestedUniformScramble(sample_idx_, static_cast<uint32_t>(hash));
+  const Vec2d first_two = Get2D();
+  return {first_two.x(), first_two.y(), Fraction(ReversedThird(index), more_hash >> 32)};
 }
 
 }  // namespace pfseq

@@ -21,6 +21,10 @@ struct SobolPoint {
 };
 SobolPoint Sobol2D(uint32_t index);
 
+/// Dimension 2 of the Sobol sequence, of the polynomial x^2 + x + 1 with the initial numbers 1 and
+/// 3 of Joe and Kuo 2008, "Constructing Sobol sequences with better two-dimensional projections".
+uint32_t SobolThird(uint32_t index);
+
 /// Owen's nested uniform scrambling of a 32-bit fraction, chosen by `seed`: each bit is flipped or
 /// not depending on the seed and all bits above it.
 uint32_t NestedUniformScramble(uint32_t bits, uint32_t seed);
@@ -59,6 +63,8 @@ class PixelSampler {
 
   double Get1D();
   Vec2d Get2D();
+  /// Its first two are what Get2D would give; all three together are a Sobol sequence.
+  Vec3d Get3D();
 
  private:
   uint64_t key_;

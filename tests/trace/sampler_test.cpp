@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/trace/sampler.h"
 
+#include <array>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -34,6 +35,14 @@ TEST(Sobol2D, SecondDimensionFollowsItsDirectionNumbers) {
   for (uint32_t i = 0; i < 5000; ++i) {
     const auto index = static_cast<uint32_t>(HashKey({i}) >> (i % 32));
     ASSERT_EQ(Sobol2D(index).y, SobolByDirectionNumbers(index)) << index;
+  }
+}
+
+TEST(SobolThird, StartsWithTheKnownPoints) {
+  // Those of Joe and Kuo's program, which goes through the indices in the order of Gray's code.
+  const double values[] = {0.0, 0.5, 0.25, 0.75, 0.625, 0.125, 0.875, 0.375};
+  for (uint32_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(SobolThird(i ^ (i >> 1)) * 0x1.0p-32, values[i]) << i;
   }
 }
 
@@ -149,6 +158,32 @@ TEST(PixelSampler, EachSampleIsUniformOverPixels) {
     chi_square += std::pow(count - kCount / 16.0, 2) / (kCount / 16.0);
   }
   EXPECT_LT(chi_square, 37.7);  // the 99.9 % point of 15 degrees of freedom
+}
+
+TEST(PixelSampler, ThreeNumbersAreANetTogether) {
+  // Of quality 1: each box of volume 2 / 2^m holds two of the first 2^m points.
+  constexpr int kLog2Count = 6;
+  for (const uint64_t pixel : {0ULL, 7ULL, 1439999ULL}) {
+    std::vector<Vec3d> points;
+    for (uint32_t i = 0; i < 1U << kLog2Count; ++i) {
+      points.push_back(PixelSampler(1, 24, 0, pixel, i).Get3D());
+      EXPECT_EQ(points.back().head<2>(), PixelSampler(1, 24, 0, pixel, i).Get2D());
+    }
+    for (int a = 0; a < kLog2Count; ++a) {
+      for (int b = 0; a + b < kLog2Count; ++b) {
+        const Vec3d cells(1 << a, 1 << b, 1 << (kLog2Count - 1 - a - b));
+        std::multiset<std::array<int, 3>> found;
+        for (const Vec3d& point : points) {
+          const Vec3d cell = point.cwiseProduct(cells);
+          found.insert(
+              {static_cast<int>(cell.x()), static_cast<int>(cell.y()), static_cast<int>(cell.z())});
+        }
+        for (const std::array<int, 3>& cell : found) {
+          EXPECT_EQ(found.count(cell), 2U) << a << " " << b;
+        }
+      }
+    }
+  }
 }
 
 TEST(PixelSampler, VertexDrawsDoNotDependOnWhatWasDrawnBefore) {
