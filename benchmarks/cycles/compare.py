@@ -31,7 +31,7 @@ its measured points: error = a N^-p (logarithms, least squares) and cost = b N +
 
 "if only noise differed": the same share for two images of which each is half pfseq's and half Cycles'.
 
-Written to --out: comparison.txt (the table), runs.csv, comparison.json, difference_LENS_CAMERA.png (pfseq / Cycles - 1,
+Written to --out: comparison.txt (the table); without --record also runs.csv, comparison.json, difference_LENS_CAMERA.png (pfseq / Cycles - 1,
 red where pfseq is brighter, blue where it is darker, full colour at 10 %).
 
 Examples:
@@ -39,6 +39,7 @@ Examples:
   tools/compare_with_cycles.sh --materials untextured --light path --size 300 --frames 0,24 --cameras front,rear
   tools/compare_with_cycles.sh --materials all --size 600 --spp-list 16,64,256 --repeats 5
   tools/compare_with_cycles.sh --motion-blur --frames 24 --size 600
+  tools/compare_with_cycles.sh --record --materials all --spp-list 16,48 --pfseq-spp-list 4,8 --size 1200
   tools/compare_with_cycles.sh --set scene.canyon.seed=7 --set light.sun.elevation_deg=15
 
 Exit status: 0 well, 1 a program failed, 2 wrong input.
@@ -98,8 +99,8 @@ def parse_arguments():
     parser.add_argument("--out", default="out/cycles", metavar="DIR", help="folder of the results (default: out/cycles)")
     parser.add_argument("--size", type=whole(16, 8192), default=400, metavar="PX", help="image size (default: 400)")
     parser.add_argument("--frames", type=int_list(0, 1_000_000), default=[0], help="frames (default: 0)")
-    parser.add_argument("--cameras", type=names, default=["front"], help="cameras, a row each (default: front)")
-    parser.add_argument("--lenses", type=names, default=["equisolid"],
+    parser.add_argument("--cameras", type=names, help="cameras, a row each (default: front)")
+    parser.add_argument("--lenses", type=names,
                         help="lenses, equidistant or equisolid ones, a row each (default: equisolid)")
     parser.add_argument("--materials", choices=["lambertian", "untextured", "all"], default="lambertian",
                         help="lambertian: base colours alone, as Diffuse BSDF in Cycles; untextured: one colour each; all: as "
@@ -110,11 +111,15 @@ def parse_arguments():
     parser.add_argument("--motion-blur", action="store_true",
                         help="open the shutter as the description has it (box), with a perfect lens: pfseq's realistic "
                         "frames, Cycles' motion blur between the camera's first and last pose")
+    parser.add_argument("--record", action="store_true",
+                        help="measure all lenses and cameras of the frames in one run of each program, with distance maps, "
+                        "and the light by itself; errors are those of noise, from two seeds; --lenses and --cameras default "
+                        "to all")
     parser.add_argument("--spp-list", type=int_list(1, 1_000_000), default=[16, 64, 256], metavar="N,N,...",
                         help="samples of a pixel for Cycles, at least two (default: 16,64,256)")
     parser.add_argument("--pfseq-spp-list", type=int_list(1, 1_000_000), metavar="N,N,...",
                         help="the same for pfseq, as many (default: as --spp-list; a quarter of it for cached light, which "
-                        "takes up to four times render.samples where they differ)")
+                        "takes up to eight times render.samples where they differ)")
     parser.add_argument("--reference-spp", type=whole(1, 1_000_000), default=1024, metavar="N",
                         help="samples of each render of the converged images (default: 1024)")
     parser.add_argument("--cached-reference-spp", type=whole(1, 1_000_000), default=64, metavar="N",
@@ -136,6 +141,8 @@ def parse_arguments():
     parser.add_argument("--blender", default="blender", metavar="PROGRAM", help="default: blender")
     parser.add_argument("--check-arguments", action="store_true", help=argparse.SUPPRESS)
     options = parser.parse_args()
+    options.cameras = options.cameras or (["front", "rear"] if options.record else ["front"])
+    options.lenses = options.lenses or (["equidistant", "equisolid"] if options.record else ["equisolid"])
     if options.pfseq_spp_list is None:
         options.pfseq_spp_list = [max(n // 4, 1) for n in options.spp_list] if options.light == "cached" else options.spp_list
     if len(options.pfseq_spp_list) != len(options.spp_list):
@@ -180,6 +187,7 @@ def compare(options, work):
     # They need Debian's numpy and OpenImageIO, which --help and wrong input do not.
     import comparison
     import cycles_job
+    import record
     import renderers
     import report
 
@@ -195,19 +203,28 @@ def compare(options, work):
     pfseq = pfseq_path if options.light == "path" else make_pfseq(options.light)
     cycles_options = cycles_job.CyclesOptions(options.materials, options.threads, options.adaptive, options.linear_textures,
                                               options.motion_blur)
-    results = []
-    for row in [(lens, camera) for lens in options.lenses for camera in options.cameras]:
-        comparison.say(f"{row[0]}, camera {row[1]}")
-        folder, distances_m = pfseq.distances(row, options.frames, work / "truth")
-        cycles = renderers.Cycles(options.blender, folder, scene_path, cycles_options, work)
-        measured = comparison.RowComparison(options, row, options.frames, pfseq, pfseq_path, cycles, (folder, distances_m))
-        references = measured.references()
-        measured.measure(references)
-        results.append(measured.result(references, out / f"difference_{row[0]}_{row[1]}.png"))
+    rows = [(lens, camera) for lens in options.lenses for camera in options.cameras]
+    make_cycles = lambda folder: renderers.Cycles(options.blender, folder, scene_path, cycles_options, work)
     programs = {"pfseq": version_of(options.pfseq, "--version"), "blender": version_of(options.blender, "--version")}
     head = (f"{programs['pfseq']} and {programs['blender']}: {options.sequence}, {options.size} px, frames "
             f"{','.join(map(str, options.frames))}{', motion blur' if options.motion_blur else ''}, materials "
             f"{options.materials}, {options.threads} threads\n\n")
+    if options.record:
+        folder, _ = pfseq.distances(rows[0], options.frames, work / "truth")
+        measured = record.RecordComparison(options, rows, options.frames, pfseq, make_cycles(folder), folder)
+        text = head + record.record_text(measured.measure())
+        (out / "comparison.txt").write_text(text)
+        print(text + f"\nresults in {out}")
+        return
+    results = []
+    for row in rows:
+        comparison.say(f"{row[0]}, camera {row[1]}")
+        folder, distances_m = pfseq.distances(row, options.frames, work / "truth")
+        measured = comparison.RowComparison(options, row, options.frames, pfseq, pfseq_path, make_cycles(folder),
+                                            (folder, distances_m))
+        references = measured.references()
+        measured.measure(references)
+        results.append(measured.result(references, out / f"difference_{row[0]}_{row[1]}.png"))
     text = head + "\n".join(report.row_text(result) for result in results)
     (out / "comparison.txt").write_text(text)
     report.write_csv(out / "runs.csv", results)

@@ -81,6 +81,15 @@ def say(text):
     print(text, file=sys.stderr, flush=True)
 
 
+def measured_pixels(folder, row, frames, motion_blur):
+    """The mask of a row's frames, one above the other: the image circle without the sun."""
+    lens = folder.lenses[row[0]]
+    circle = images.circle_mask(folder.image_size_px, lens)
+    exposure = lambda frame: (folder.exposure(row[1], frame) if motion_blur
+                              else [folder.world_from_camera(row[1], frame)] * 2)
+    return np.concatenate([images.without_sun(circle, lens, exposure(frame), folder.sun()) for frame in frames])
+
+
 def compare_distances(ours_m, cycles_m, mask):
     """Where both meet something, and how many pixels only one of them calls sky."""
     both = mask & np.isfinite(ours_m) & np.isfinite(cycles_m)
@@ -118,12 +127,8 @@ class RowComparison:
         self._cycles = cycles
         folder, distances_m = truth
         lens = folder.lenses[row[0]]
-        circle = images.circle_mask(folder.image_size_px, lens)
-        sun = folder.sun()
-        self._circle = np.concatenate([circle] * len(frames))
-        exposure = lambda frame: (folder.exposure(row[1], frame) if options.motion_blur
-                                  else [folder.world_from_camera(row[1], frame)] * 2)
-        self._mask = np.concatenate([images.without_sun(circle, lens, exposure(frame), sun) for frame in frames])
+        self._circle = np.concatenate([images.circle_mask(folder.image_size_px, lens)] * len(frames))
+        self._mask = measured_pixels(folder, row, frames, options.motion_blur)
         self._distance_m = np.concatenate(distances_m)
         self._runs = []
 

@@ -20,6 +20,14 @@ def relative_mse(image, reference, mask):
     return float(np.mean((i - r) ** 2 / (r ** 2 + RELATIVE_MSE_OFFSET)))
 
 
+def noise_of_pair(first, second, scale, mask):
+    """relative_mse that the noise of either of two images makes up, which differ by their noise alone; `scale` stands for R
+    in the denominator."""
+    mean = scale[mask].mean()
+    denominator = (scale[mask] / mean) ** 2 + RELATIVE_MSE_OFFSET
+    return float(np.mean(((first[mask] - second[mask]) / mean) ** 2 / denominator)) / 2
+
+
 @dataclasses.dataclass(frozen=True)
 class Reference:
     """A converged image: the mean of independent renders, and what noise is left in it."""

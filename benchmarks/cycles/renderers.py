@@ -29,12 +29,18 @@ class Pfseq:
         # The output that is measured.
         self._radiance = "realistic_linear" if motion_blur else "linear"
         self._work = pathlib.Path(work)
+        self._light_cache = []
 
-    def _render(self, out, row, frames, outputs, settings):
-        lens, camera = row
+    def forget_light(self):
+        """The next run computes its light anew, those after it read it."""
+        self._light_cache = ["--light-cache", self._work / "light"]
+        shutil.rmtree(self._light_cache[1], ignore_errors=True)
+
+    def _render(self, out, rows, frames, outputs, settings):
+        lenses, cameras = (",".join(dict.fromkeys(names)) for names in zip(*rows))
         command = [self._program, "render", self._description, "--out", out, "--frames", ",".join(map(str, frames)),
-                   "--cameras", camera, "--lenses", lens, "--outputs", outputs, "--threads", self._num_threads,
-                   "--quiet", "--overwrite"]
+                   "--cameras", cameras, "--lenses", lenses, "--outputs", outputs, "--threads", self._num_threads,
+                   "--quiet", "--overwrite", *self._light_cache]
         for key, value in (self._settings | settings).items():
             command += ["--set", f"{key}={value}"]
         return process.run(command)
@@ -45,10 +51,16 @@ class Pfseq:
 
     def measure(self, row, frames, num_samples, seed):
         """Usage and the linear images, one a frame."""
+        usage, images_of_row = self.measure_rows([row], frames, num_samples, seed)
+        return usage, images_of_row[row]
+
+    def measure_rows(self, rows, frames, num_samples, seed, truth=()):
+        """The same of several rows in one run, which are all pairs of their lenses and cameras; with the outputs `truth`."""
         out = self._work / "pfseq"
-        usage = self._render(out, row, frames, self._radiance, self._sampling(num_samples, seed))
+        usage = self._render(out, rows, frames, ",".join([self._radiance, *truth]), self._sampling(num_samples, seed))
         folder = SequenceFolder(out)
-        radiance = [images.read_radiance(folder.frame_path(*row, self._radiance, frame)) for frame in frames]
+        radiance = {row: [images.read_radiance(folder.frame_path(*row, self._radiance, frame)) for frame in frames]
+                    for row in rows}
         shutil.rmtree(out)
         return usage, radiance
 
@@ -56,13 +68,13 @@ class Pfseq:
         """Usage of all that is not the frames: reading the scene, building the acceleration structure, writing."""
         out = self._work / "pfseq_start"
         settings = {"image.size_px": TINY_IMAGE_PX, "render.light": "path", "render.samples": 1}
-        usage = self._render(out, row, frames[:1], self._radiance, settings)
+        usage = self._render(out, [row], frames[:1], self._radiance, settings)
         shutil.rmtree(out)
         return usage
 
     def distances(self, row, frames, out):
         """Renders the distance maps and leaves the folder, which tells Cycles lens, poses and light."""
-        self._render(out, row, frames, "distance", self._sampling(1, 1))
+        self._render(out, [row], frames, "distance", self._sampling(1, 1))
         folder = SequenceFolder(out)
         return folder, [images.read_distance(folder.frame_path(*row, "distance", frame)) for frame in frames]
 
@@ -91,13 +103,23 @@ class Cycles:
         return process.run([self._blender, "-b", "--factory-startup", "--python", script, "--", path])
 
     def _renders(self, row, frames, kind, num_samples, seed):
-        return [cycles_job.make_render(self._folder, (*row, frame), self._work / f"cycles_{frame:06d}.exr", kind,
-                                       num_samples, seed) for frame in frames]
+        lens, camera = row
+        return [cycles_job.make_render(self._folder, (*row, frame),
+                                       self._work / f"cycles_{lens}_{camera}_{kind}_{frame:06d}.exr", kind, num_samples, seed)
+                for frame in frames]
 
     def measure(self, row, frames, num_samples, seed):
-        renders = self._renders(row, frames, "radiance", num_samples, seed)
+        usage, images_of_row = self.measure_rows([row], frames, num_samples, seed)
+        return usage, images_of_row[row]
+
+    def measure_rows(self, rows, frames, num_samples, seed, truth=()):
+        """As Pfseq's; of the outputs `truth` Cycles can give the distance."""
+        radiance = {row: self._renders(row, frames, "radiance", num_samples, seed) for row in rows}
+        renders = [render for row in rows for render in radiance[row]]
+        if "distance" in truth:
+            renders += [render for row in rows for render in self._renders(row, frames, "distance", 1, 1)]
         usage = self._render(renders)
-        return usage, [images.read_radiance(render["out"]) for render in renders]
+        return usage, {row: [images.read_radiance(render["out"]) for render in radiance[row]] for row in rows}
 
     def measure_start(self, row, frames):
         return self._render(self._renders(row, frames[:1], "radiance", 1, 1), TINY_IMAGE_PX)

@@ -38,6 +38,24 @@ class RelativeMse(unittest.TestCase):
         self.assertEqual(errors.relative_mse(gray(1, 99), gray(1, 1), mask), 0.0)
 
 
+class NoiseOfPair(unittest.TestCase):
+    def test_is_the_relative_mse_of_either(self):
+        random = np.random.default_rng(3)
+        truth = np.tile([0.5, 1.5], (300, 150))[:, :, None].repeat(3, axis=2)
+        mask = np.ones((300, 300), bool)
+        noisy = lambda: truth * (1 + 0.1 * random.standard_normal(truth.shape))
+        first = noisy()
+        expected = errors.relative_mse(first, truth, mask)
+        self.assertAlmostEqual(errors.noise_of_pair(first, noisy(), truth, mask), expected, delta=0.03 * expected)
+        # The unit does not matter.
+        self.assertAlmostEqual(errors.noise_of_pair(5 * first, 5 * first + 1, 5 * truth, mask),
+                               errors.noise_of_pair(first, first + 0.2, truth, mask))
+
+    def test_ignores_pixels_outside_the_mask(self):
+        mask = np.array([[True, False]])
+        self.assertEqual(errors.noise_of_pair(gray(1, 99), gray(1, 1), gray(1, 1), mask), 0.0)
+
+
 class Reference(unittest.TestCase):
     def test_takes_its_own_noise_off(self):
         random = np.random.default_rng(1)

@@ -41,6 +41,11 @@ YamlTypePtr<CanyonSpec> CanyonSchema() {
            "How far windows lie behind walls and sills, mouldings and balconies stand out: 1 as in "
            "old stone houses; "
            "less: flatter, with fewer balconies.")
+      .Key("small_panes",
+           &CanyonSpec::small_panes,
+           From(0.0, 1.0),
+           "Share of the buildings whose windows have light glazing bars about small panes: regular "
+           "patterns of strong contrast.")
       .Key("street_life",
            &CanyonSpec::street_life,
            From(0.0, 2.0),

@@ -238,6 +238,19 @@ void SetMaterials(const Palette& palette, RandomStream& random, Building& buildi
                            : Pick(palette.slate, random);
 }
 
+/// Light bars between one column of panes more, in two rows.
+void DivideWindows(const CanyonSpec& canyon,
+                   const Palette& palette,
+                   RandomStream& random,
+                   Building& building) {
+  if (building.style == FacadeStyle::kGlass || !random.Chance(canyon.small_panes)) {
+    return;
+  }
+  ++building.window.num_columns;
+  building.window.transom_share = 0.5;
+  building.frame = palette.window_frame[static_cast<size_t>(random.Integer(0, 1))];
+}
+
 }  // namespace
 
 std::string_view NameOf(FacadeStyle style) {
@@ -291,6 +304,8 @@ Building DesignBuilding(const Lot& lot,
   SetStoreys(std::clamp(height_m, least_m, greatest_m), form, building);
   SetOpenings(canyon, openings, building);
   SetMaterials(palette, materials, building);
+  RandomStream panes({seed, 5});
+  DivideWindows(canyon, palette, panes, building);
   RandomStream weather({seed, 4});
   const bool is_old =
       building.style != FacadeStyle::kGlass && building.style != FacadeStyle::kConcrete;

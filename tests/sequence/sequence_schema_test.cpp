@@ -41,7 +41,7 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
       "  height_m: 11\n"
       "scene:\n"
       "  canyon: {seed: 12, street_width_m: [13, 14], building_height_m: [15, 16], detail: 1.7, "
-      "relief: 0.6,\n"
+      "relief: 0.6, small_panes: 0.3,\n"
       "           pitched_roof_share: 0.18, surrounding_blocks: 19}\n"
       "light:\n"
       "  sun: {elevation_deg: 20, azimuth_deg: 21, angular_diameter_deg: 2.2, strength: 23}\n"
@@ -96,6 +96,7 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
   expected.scene.canyon.building_height_m = {15.0, 16.0};
   expected.scene.canyon.detail = 1.7;
   expected.scene.canyon.relief = 0.6;
+  expected.scene.canyon.small_panes = 0.3;
   expected.scene.canyon.pitched_roof_share = 0.18;
   expected.scene.canyon.surrounding_blocks = 19;
   expected.light.sun = SunSpec{
@@ -297,13 +298,15 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   TrajectorySpec trajectory = spec.trajectory;
   trajectory.drive = DriveSpec{};
   EXPECT_EQ(trajectory, TrajectorySpec{});
-  // All but what makes the city like PFSeq's: narrow, quieter streets of flat fronts.
+  // All but what makes the city like PFSeq's: quieter streets of flat fronts and small panes.
   SceneSpec scene = spec.scene;
   EXPECT_EQ(scene.canyon.relief, 0.1);
   EXPECT_EQ(scene.canyon.street_life, 0.6);
-  EXPECT_EQ(scene.canyon.street_width_m, (std::array{9.0, 11.0}));
-  EXPECT_EQ(scene.canyon.building_height_m, (std::array{10.0, 30.0}));
+  EXPECT_EQ(scene.canyon.small_panes, 1.0);
+  EXPECT_EQ(scene.canyon.street_width_m, (std::array{18.0, 22.0}));
+  EXPECT_EQ(scene.canyon.building_height_m, (std::array{18.0, 34.0}));
   scene.canyon.relief = CanyonSpec{}.relief;
+  scene.canyon.small_panes = CanyonSpec{}.small_panes;
   scene.canyon.street_life = CanyonSpec{}.street_life;
   scene.canyon.street_width_m = CanyonSpec{}.street_width_m;
   scene.canyon.building_height_m = CanyonSpec{}.building_height_m;
@@ -318,7 +321,7 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   EXPECT_EQ(spec.render, RenderSpec{});
   // A camera that exposes for the street's shade.
   SensorSpec sensor = spec.sensor;
-  EXPECT_EQ(sensor.exposure, 0.08);
+  EXPECT_EQ(sensor.exposure, 0.04);
   sensor.exposure.reset();
   EXPECT_EQ(sensor, SensorSpec{});
   EXPECT_EQ(spec.ground_truth, GroundTruthSpec{});

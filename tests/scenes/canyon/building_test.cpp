@@ -61,6 +61,31 @@ TEST(Building, RoofsFollowTheShareOfPitchedOnes) {
   }
 }
 
+TEST(Building, SmallPanesDivideTheWindowsOfTheirShare) {
+  const Palette palette = PlainPalette();
+  CanyonSpec canyon;
+  canyon.small_panes = 0.4;
+  int num_divided = 0;
+  int num_with_frames = 0;
+  for (uint64_t seed = 0; seed < 300; ++seed) {
+    const Building plain = DesignBuilding(RowLot(), {}, {}, palette, seed);
+    const Building house = DesignBuilding(RowLot(), canyon, {}, palette, seed);
+    EXPECT_EQ(house.style, plain.style);
+    EXPECT_EQ(house.wall, plain.wall);
+    const bool is_divided = house.window.num_columns == plain.window.num_columns + 1;
+    if (is_divided) {
+      EXPECT_EQ(house.window.transom_share, 0.5);
+      EXPECT_NE(house.style, FacadeStyle::kGlass);
+    } else {
+      EXPECT_EQ(house.window.num_columns, plain.window.num_columns);
+      EXPECT_EQ(house.frame, plain.frame);
+    }
+    num_divided += is_divided ? 1 : 0;
+    num_with_frames += house.style != FacadeStyle::kGlass ? 1 : 0;
+  }
+  EXPECT_NEAR(num_divided, 0.4 * num_with_frames, 30.0);
+}
+
 TEST(Building, DetailChangesNeitherHeightNorStyleNorColour) {
   const Palette palette = PlainPalette();
   CanyonSpec bare;

@@ -133,6 +133,10 @@ TEST(StreetPlan, RefusesFiguresOutOfRange) {
   EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
               testing::HasSubstr("relief"));
   canyon = {};
+  canyon.small_panes = 1.5;
+  EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
+              testing::HasSubstr("small_panes"));
+  canyon = {};
   canyon.surrounding_blocks = -1;
   EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
               testing::HasSubstr("surrounding_blocks"));
