@@ -95,7 +95,7 @@ class PixelRays {
 
  private:
   const Lens& lens_;
-  const RigidTransform& world_from_camera_;
+  RigidTransform world_from_camera_;
   Vec2d corner_px_;
   bool is_inside_;
   Vec3f origin_ = Vec3f::Zero();

@@ -115,10 +115,10 @@ class Cycles:
     def measure_rows(self, rows, frames, num_samples, seed, truth=()):
         """As Pfseq's; of the outputs `truth` Cycles can give the distance."""
         radiance = {row: self._renders(row, frames, "radiance", num_samples, seed) for row in rows}
-        renders = [render for row in rows for render in radiance[row]]
-        if "distance" in truth:
-            renders += [render for row in rows for render in self._renders(row, frames, "distance", 1, 1)]
-        usage = self._render(renders)
+        # Blender 3.4 may crash on a picture at rest after one in motion: distances first.
+        renders = ([render for row in rows for render in self._renders(row, frames, "distance", 1, 1)]
+                   if "distance" in truth else [])
+        usage = self._render(renders + [render for row in rows for render in radiance[row]])
         return usage, {row: [images.read_radiance(render["out"]) for render in radiance[row]] for row in rows}
 
     def measure_start(self, row, frames):
