@@ -112,7 +112,7 @@ def parse_arguments():
                         help="open the shutter as the description has it (box), with a perfect lens: pfseq's realistic "
                         "frames, Cycles' motion blur between the camera's first and last pose")
     parser.add_argument("--record", action="store_true",
-                        help="measure all lenses and cameras of the frames in one run of each program, with distance maps, "
+                        help="measure all lenses and cameras of the frames together, with distance maps, "
                         "and the light by itself; errors are those of noise, from two seeds; --lenses and --cameras default "
                         "to all")
     parser.add_argument("--spp-list", type=int_list(1, 1_000_000), default=[16, 64, 256], metavar="N,N,...",

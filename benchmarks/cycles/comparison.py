@@ -131,6 +131,7 @@ class RowComparison:
         self._mask = measured_pixels(folder, row, frames, options.motion_blur)
         self._distance_m = np.concatenate(distances_m)
         self._runs = []
+        self._start_cpu_s = {}
 
     def _render(self, renderer, num_samples, seed):
         usage, frames = renderer.measure(self._row, self._frames, num_samples, seed)
@@ -149,6 +150,7 @@ class RowComparison:
 
     def _measure_start(self, renderer, repetition):
         usage = renderer.measure_start(self._row, self._frames)
+        self._start_cpu_s[renderer.name] = usage.cpu_s
         self._runs.append(Run(renderer.name, 0, repetition, usage.cpu_s, usage.peak_mib))
 
     def _measure(self, renderer, num_samples, repetition, references):
@@ -159,8 +161,10 @@ class RowComparison:
         if renderer is not self._cycles:
             path_error = references[self._pfseq_path.name].error_of(image, self._mask, scale)
         own_error = references[renderer.name].error_of(image, self._mask, scale)
-        say(f"  {renderer.name:12s} {num_samples:6d} samples: {usage.cpu_s:8.2f} CPU-s, relMSE {own_error:.6f}")
-        self._runs.append(Run(renderer.name, num_samples, repetition, usage.cpu_s, usage.peak_mib, own_error, path_error))
+        # Pictures of several frames would share one start-up.
+        cpu_s = usage.cpu_s - (usage.num_processes - 1) * self._start_cpu_s[renderer.name]
+        say(f"  {renderer.name:12s} {num_samples:6d} samples: {cpu_s:8.2f} CPU-s, relMSE {own_error:.6f}")
+        self._runs.append(Run(renderer.name, num_samples, repetition, cpu_s, usage.peak_mib, own_error, path_error))
 
     def measure(self, references):
         """Both programs in turn: A B A B."""

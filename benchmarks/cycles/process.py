@@ -9,10 +9,14 @@ import tempfile
 
 @dataclasses.dataclass(frozen=True)
 class Usage:
-    """User and system time of the process and the children that it waited for, and its peak resident memory."""
+    """User and system time of processes and the children that they waited for, and the peak resident memory of one."""
 
     cpu_s: float
     peak_mib: float
+    num_processes: int = 1
+
+    def __add__(self, other):
+        return Usage(self.cpu_s + other.cpu_s, max(self.peak_mib, other.peak_mib), self.num_processes + other.num_processes)
 
 
 class ProgramFailed(Exception):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Measures a record: all lenses and cameras of the frames in one run of each program, with distance maps.
+"""Measures a record: all lenses and cameras of the frames together, with distance maps.
 
 Errors are those of noise: two renders with different seeds differ by nothing else. What a program converges to, the
 comparison of single rows tells.
@@ -60,7 +60,8 @@ class RecordComparison:
         images = [images_of_row for _, images_of_row in runs]
         row_errors = [errors.noise_of_pair(images[0][row], images[1][row], scale[row], mask)
                       for row, mask in self._masks.items()]
-        return Point(renderer.name, num_samples, statistics.fmean(usage.cpu_s for usage, _ in runs) - start_cpu_s,
+        return Point(renderer.name, num_samples,
+                     statistics.fmean(usage.cpu_s - usage.num_processes * start_cpu_s for usage, _ in runs),
                      max(usage.peak_mib for usage, _ in runs), statistics.fmean(row_errors))
 
     def measure(self):
@@ -92,7 +93,7 @@ def record_text(result):
     """What was measured, and what Cycles needs for pfseq's errors."""
     rows = ", ".join(f"{lens} {camera}" for lens, camera in result.rows)
     lines = [f"== {result.num_frames} x {len(result.rows)} images ({rows}), with distance maps", ""]
-    lines.append(f"Light of pfseq, once: {result.light_cpu_s:.1f} CPU-s. Start-up, taken off below: "
+    lines.append(f"Light of pfseq, once: {result.light_cpu_s:.1f} CPU-s. Start-up, taken off each process below: "
                  + ", ".join(f"{name} {cpu_s:.1f}" for name, cpu_s in result.start_cpu_s.items()) + " CPU-s.")
     lines += ["", f"  {'':12s} {'samples':>8s} {'CPU-s in all':>13s} {'peak MiB':>9s} {'relMSE, noise':>14s}"]
     for p in sorted(result.points, key=lambda p: (p.renderer, p.num_samples)):
