@@ -61,12 +61,29 @@ constexpr uint32_t ReversedThird(uint32_t index) {
   return result;
 }
 
-/// From a draw's hash to another one.
-constexpr uint64_t kNextHash = 0x9e3779b97f4a7c15ULL;
+/// A draw's point of the Sobol sequence: that of a shuffled index, each dimension scrambled. As
+/// Sobol2D and NestedUniformScramble, less the reversals that cancel.
+class Scrambled {
+ public:
+  Scrambled(uint64_t key, uint64_t draw_idx, uint32_t sample_idx)
+      : hash_(HashKey({key, draw_idx})),
+        more_hash_(MixBits(hash_ + 0x9e3779b97f4a7c15ULL)),
+        index_(NestedUniformScramble(sample_idx, static_cast<uint32_t>(hash_))) {}
 
-double Fraction(uint32_t reversed_bits, uint64_t seed) {
-  return ReverseBits(ScrambleReversed(reversed_bits, static_cast<uint32_t>(seed))) * 0x1.0p-32;
-}
+  Vec2d FirstTwo() const {
+    return {Fraction(index_, hash_ >> 32), Fraction(ReversedPascal(index_), more_hash_)};
+  }
+  double Third() const { return Fraction(ReversedThird(index_), more_hash_ >> 32); }
+
+ private:
+  static double Fraction(uint32_t reversed_bits, uint64_t seed) {
+    return ReverseBits(ScrambleReversed(reversed_bits, static_cast<uint32_t>(seed))) * 0x1.0p-32;
+  }
+
+  uint64_t hash_;
+  uint64_t more_hash_;
+  uint32_t index_;
+};
 
 }  // namespace
 
@@ -82,20 +99,12 @@ uint32_t NestedUniformScramble(uint32_t bits, uint32_t seed) {
 
 double PixelSampler::Get1D() { return Get2D().x(); }
 
-Vec2d PixelSampler::Get2D() {
-  const uint64_t hash = HashKey({key_, draw_idx_++});
-  const uint64_t more_hash = MixBits(hash + kNextHash);
-  const uint32_t index = NestedUniformScramble(sample_idx_, static_cast<uint32_t>(hash));
-  // As Sobol2D and two scramblings, less the reversals that cancel.
-  return {Fraction(index, hash >> 32), Fraction(ReversedPascal(index), more_hash)};
-}
+Vec2d PixelSampler::Get2D() { return Scrambled(key_, draw_idx_++, sample_idx_).FirstTwo(); }
 
 Vec3d PixelSampler::Get3D() {
-  const uint64_t hash = HashKey({key_, draw_idx_});
-  const uint64_t more_hash = MixBits(hash + kNextHash);
-  const uint32_t index = NestedUniformScramble(sample_idx_, static_cast<uint32_t>(hash));
-  const Vec2d first_two = Get2D();
-  return {first_two.x(), first_two.y(), Fraction(ReversedThird(index), more_hash >> 32)};
+  const Scrambled sample(key_, draw_idx_++, sample_idx_);
+  const Vec2d first_two = sample.FirstTwo();
+  return {first_two.x(), first_two.y(), sample.Third()};
 }
 
 }  // namespace pfseq

@@ -3,6 +3,7 @@
 
 #include "renderer/lens/camera_rig.h"
 #include "tests/film/small_lens.h"
+#include "tests/support/driving.h"
 #include "tests/support/simple_scenes.h"
 
 #include <cmath>
@@ -13,25 +14,13 @@
 namespace pfseq {
 namespace {
 
-/// Stands, or turns about Z.
-class Turning : public Trajectory {
- public:
-  explicit Turning(double rate_radps) : rate_radps_(rate_radps) {}
-  RigidTransform WorldFromRig(double time_s) const override {
-    return PoseFromYaw(Vec3d::Zero(), rate_radps_ * time_s);
-  }
-
- private:
-  double rate_radps_;
-};
-
 /// The camera looks up; with identity rotation x and y are those of the world.
 std::vector<SunImage> Seen(const RayScene& scene,
                            const SunDisc& sun,
                            const Lens& lens,
                            double rate_radps = 0.0) {
   const ExposurePoses poses(
-      Shutter({.exposure_s = 0.1}), Turning(rate_radps), RigidTransform{}, 0.0);
+      Shutter({.exposure_s = 0.1}), Driving(0.0, rate_radps), RigidTransform{}, 0.0);
   return SeenSun(scene, sun, lens, Vec2d::Constant(kSmallSizePx), poses);
 }
 

@@ -2,6 +2,7 @@
 // Blurred pictures of a small lamp, measured against the closed form of its way over the image.
 #include "renderer/blur_vectors.h"
 #include "tests/renderer/two_boxes.h"
+#include "tests/support/driving.h"
 
 #include <cmath>
 
@@ -15,19 +16,6 @@ constexpr int kSizePx = 160;
 constexpr double kFocalPx = 50.0;
 constexpr double kExposureS = 0.1;
 constexpr double kHeightM = 4.0;
-
-/// Drives along +X and turns about Z at even rates.
-class Driving : public Trajectory {
- public:
-  Driving(double speed_mps, double rate_radps) : speed_mps_(speed_mps), rate_radps_(rate_radps) {}
-  RigidTransform WorldFromRig(double time_s) const override {
-    return PoseFromYaw(Vec3d(speed_mps_ * time_s, 0.0, 0.0), rate_radps_ * time_s);
-  }
-
- private:
-  double speed_mps_;
-  double rate_radps_;
-};
 
 /// A lamp of 50 cm above the camera and nothing else.
 Scene Lamp(const Vec2f& place_m) {

@@ -2,6 +2,7 @@
 #include "renderer/trail_sampling.h"
 
 #include "tests/renderer/two_boxes.h"
+#include "tests/support/driving.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,18 +17,6 @@ constexpr int kSizePx = 160;
 constexpr double kFocalPx = 50.0;
 constexpr double kExposureS = 0.1;
 
-/// Turns about the optical axis at an even rate.
-class Turning : public Trajectory {
- public:
-  explicit Turning(double rate_radps) : rate_radps_(rate_radps) {}
-  RigidTransform WorldFromRig(double time_s) const override {
-    return PoseFromYaw(Vec3d::Zero(), rate_radps_ * time_s);
-  }
-
- private:
-  double rate_radps_;
-};
-
 /// Nothing but sky.
 struct Stage {
   explicit Stage(double rate_radps, const ShutterSpec& shutter = {.exposure_s = kExposureS})
@@ -37,7 +26,7 @@ struct Stage {
              Vec2d::Constant(0.5 * kSizePx),
              RadFromDeg(85.0)),
         raster(lens, kSizePx, kSizePx, 2),
-        exposure(Shutter(shutter), Turning(rate_radps), RigidTransform{}, 0.0),
+        exposure(Shutter(shutter), Driving(0.0, rate_radps), RigidTransform{}, 0.0),
         sampling(two_boxes.Rays(), raster, RigidTransform{}, exposure, 2) {}
 
   /// Where the picture of the middle of the exposure has what a sample shows.
