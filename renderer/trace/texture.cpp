@@ -71,7 +71,8 @@ uint8_t Quantise(float value) {
   return static_cast<uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
 }
 
-/// Quantise(SrgbFromLinear(value)) by tables: a power for each texel would take longer than all else.
+/// Quantise(SrgbFromLinear(value)) by tables: a power for each texel would take longer than all
+/// else.
 class SrgbQuantiser {
  public:
   SrgbQuantiser() {
@@ -110,6 +111,104 @@ float ApproximateLog2(float value) {
   return static_cast<float>(bits) * 0x1p-23F - 127.0F;
 }
 
+/// A level of a pyramid while it is made.
+struct LinearLevel {
+  int width_px = 0;
+  int height_px = 0;
+  std::vector<Rgba> texels;
+  /// The share of each texel that is no hole; empty: all of it.
+  std::vector<float> solid;
+
+  size_t At(int x, int y) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width_px) + static_cast<size_t>(x);
+  }
+};
+
+/// Half as many texels along each axis. Holes have no say in the colour of what is beside them.
+LinearLevel Halved(const LinearLevel& finer) {
+  LinearLevel coarser;
+  coarser.width_px = std::max(1, finer.width_px / 2);
+  coarser.height_px = std::max(1, finer.height_px / 2);
+  coarser.texels.reserve(static_cast<size_t>(coarser.width_px) *
+                         static_cast<size_t>(coarser.height_px));
+  const bool has_holes = !finer.solid.empty();
+  const std::vector<Overlap> columns = Overlaps(finer.width_px, coarser.width_px);
+  const std::vector<Overlap> rows = Overlaps(finer.height_px, coarser.height_px);
+  for (const Overlap& row : rows) {
+    for (const Overlap& column : columns) {
+      Rgba mean = Rgba::Zero();
+      Rgba solid_sum = Rgba::Zero();
+      float solid = 0.0F;
+      for (int j = 0; j < row.count; ++j) {
+        for (int i = 0; i < column.count; ++i) {
+          const size_t texel = finer.At(column.first + i, row.first + j);
+          const float share =
+              row.weights[static_cast<size_t>(j)] * column.weights[static_cast<size_t>(i)];
+          mean += finer.texels[texel] * share;
+          if (has_holes) {
+            solid_sum += finer.texels[texel] * (share * finer.solid[texel]);
+            solid += share * finer.solid[texel];
+          }
+        }
+      }
+      if (solid > 0.0F) {
+        mean.head<3>() = solid_sum.head<3>() / solid;
+      }
+      coarser.texels.push_back(mean);
+      if (has_holes) {
+        coarser.solid.push_back(solid);
+      }
+    }
+  }
+  return coarser;
+}
+
+/// Gives texels that are holes altogether the colour of the coarser level, which interpolation
+/// next to them would take in (Gortler et al. 1996, "The Lumigraph": push-pull).
+void FillHoles(LinearLevel& level, const LinearLevel& coarser) {
+  for (size_t i = 0; i < level.solid.size(); ++i) {
+    if (level.solid[i] == 0.0F) {
+      const int x = static_cast<int>(i) % level.width_px;
+      const int y = static_cast<int>(i) / level.width_px;
+      level.texels[i].head<3>() = coarser
+                                      .texels[coarser.At(std::min(x / 2, coarser.width_px - 1),
+                                                         std::min(y / 2, coarser.height_px - 1))]
+                                      .head<3>();
+    }
+  }
+}
+
+Image<uint8_t> Quantised(const LinearLevel& level, bool is_srgb) {
+  static const SrgbQuantiser quantise_srgb;
+  Image<uint8_t> texels(level.width_px, level.height_px, 4);
+  for (int y = 0; y < level.height_px; ++y) {
+    for (int x = 0; x < level.width_px; ++x) {
+      const Rgba& value = level.texels[level.At(x, y)];
+      for (int channel = 0; channel < 4; ++channel) {
+        texels.At(x, y, channel) =
+            is_srgb && channel < 3 ? quantise_srgb(value[channel]) : Quantise(value[channel]);
+      }
+    }
+  }
+  return texels;
+}
+
+/// The alpha below which a texel of each texture is a hole. Zero for textures that are no
+/// masked material's base colour, or another material's besides.
+std::vector<float> HoleAlphas(const Scene& scene) {
+  constexpr float kUnused = std::numeric_limits<float>::infinity();
+  std::vector<float> alphas(scene.textures.size(), kUnused);
+  for (const Material& material : scene.materials) {
+    if (material.base_color_texture_idx >= 0) {
+      float& alpha = alphas[static_cast<size_t>(material.base_color_texture_idx)];
+      const bool is_masked = material.alpha_cutoff.has_value() && material.base_alpha > 0.0F;
+      alpha = std::min(alpha, is_masked ? *material.alpha_cutoff / material.base_alpha : 0.0F);
+    }
+  }
+  std::replace(alphas.begin(), alphas.end(), kUnused, 0.0F);
+  return alphas;
+}
+
 }  // namespace
 
 TextureSet::TextureSet(const Scene& scene) : pyramids_(scene.textures.size()) {
@@ -117,12 +216,13 @@ TextureSet::TextureSet(const Scene& scene) : pyramids_(scene.textures.size()) {
     linear_from_linear_[i] = static_cast<float>(i) / 255.0F;
     linear_from_srgb_[i] = LinearFromSrgb(linear_from_linear_[i]);
   }
+  const std::vector<float> hole_alphas = HoleAlphas(scene);
   ParallelFor(scene.textures.size(), NumHardwareThreads(), [&](size_t i) {
-    pyramids_[i] = MakePyramid(scene.textures[i]);
+    pyramids_[i] = MakePyramid(scene.textures[i], hole_alphas[i]);
   });
 }
 
-TextureSet::Pyramid TextureSet::MakePyramid(const Texture& texture) const {
+TextureSet::Pyramid TextureSet::MakePyramid(const Texture& texture, float hole_alpha) const {
   Pyramid pyramid;
   pyramid.color_table = texture.is_srgb ? linear_from_srgb_.data() : linear_from_linear_.data();
   const auto level_of = [](const Image<uint8_t>& texels) {
@@ -131,45 +231,28 @@ TextureSet::Pyramid TextureSet::MakePyramid(const Texture& texture) const {
   pyramid.levels.push_back(level_of(texture.texels));
   // Means are made of the finer level's linear light, in float, so that rounding to 8 bit does not
   // add up.
-  std::vector<Rgba> finer(texture.texels.NumPixels());
-  for (size_t i = 0; i < finer.size(); ++i) {
-    finer[i] =
+  std::vector<LinearLevel> levels(1);
+  levels[0].width_px = texture.texels.WidthPx();
+  levels[0].height_px = texture.texels.HeightPx();
+  levels[0].texels.resize(texture.texels.NumPixels());
+  for (size_t i = 0; i < levels[0].texels.size(); ++i) {
+    levels[0].texels[i] =
         Decode(&texture.texels.Values()[4 * i], pyramid.color_table, linear_from_linear_.data());
   }
-  static const SrgbQuantiser quantise_srgb;
-  Level size = pyramid.levels.front();
-  while (size.width_px > 1 || size.height_px > 1) {
-    const int width_px = std::max(1, size.width_px / 2);
-    const int height_px = std::max(1, size.height_px / 2);
-    std::vector<Rgba> coarser(static_cast<size_t>(width_px) * static_cast<size_t>(height_px));
-    Image<uint8_t> texels(width_px, height_px, 4);
-    const std::vector<Overlap> columns = Overlaps(size.width_px, width_px);
-    const std::vector<Overlap> rows = Overlaps(size.height_px, height_px);
-    for (int y = 0; y < height_px; ++y) {
-      const Overlap& row = rows[static_cast<size_t>(y)];
-      for (int x = 0; x < width_px; ++x) {
-        const Overlap& column = columns[static_cast<size_t>(x)];
-        Rgba sum = Rgba::Zero();
-        for (int j = 0; j < row.count; ++j) {
-          for (int i = 0; i < column.count; ++i) {
-            sum += finer[static_cast<size_t>(row.first + j) * static_cast<size_t>(size.width_px) +
-                         static_cast<size_t>(column.first + i)] *
-                   (row.weights[static_cast<size_t>(j)] * column.weights[static_cast<size_t>(i)]);
-          }
-        }
-        coarser[static_cast<size_t>(y) * static_cast<size_t>(width_px) + static_cast<size_t>(x)] =
-            sum;
-        for (int channel = 0; channel < 4; ++channel) {
-          const bool is_encoded = texture.is_srgb && channel < 3;
-          texels.At(x, y, channel) =
-              is_encoded ? quantise_srgb(sum[channel]) : Quantise(sum[channel]);
-        }
-      }
+  if (hole_alpha > 0.0F) {
+    for (const Rgba& texel : levels[0].texels) {
+      levels[0].solid.push_back(texel[3] < hole_alpha ? 0.0F : 1.0F);
     }
-    pyramid.coarser_texels.push_back(std::move(texels));
+  }
+  while (levels.back().width_px > 1 || levels.back().height_px > 1) {
+    levels.push_back(Halved(levels.back()));
+  }
+  for (size_t i = levels.size() - 1; i-- > 1;) {
+    FillHoles(levels[i], levels[i + 1]);
+  }
+  for (size_t i = 1; i < levels.size(); ++i) {
+    pyramid.coarser_texels.push_back(Quantised(levels[i], texture.is_srgb));
     pyramid.levels.push_back(level_of(pyramid.coarser_texels.back()));
-    finer = std::move(coarser);
-    size = pyramid.levels.back();
   }
   return pyramid;
 }

@@ -28,7 +28,8 @@ class TextureSet {
   /// Mean over a footprint about the point: bilinear within and linear between the two levels of
   /// the texture's pyramid (Williams 1983, "Pyramidal parametrics") whose texels are about as wide
   /// as the footprint. The footprint is given by its two axes, differences of texture coordinates;
-  /// the longer one, in texels, decides.
+  /// the longer one, in texels, decides. Of a base colour cut out by alpha, coarser levels hold the
+  /// mean colour of what is no hole: a ray that asks for it has met something.
   Rgba LookupFiltered(int texture_idx,
                       const Vec2f& texcoord,
                       const Vec2f& footprint_x,
@@ -51,7 +52,8 @@ class TextureSet {
     const float* color_table = nullptr;
   };
 
-  Pyramid MakePyramid(const Texture& texture) const;
+  /// Texels of less than `hole_alpha` are holes; zero: there are none.
+  Pyramid MakePyramid(const Texture& texture, float hole_alpha) const;
   Rgba Bilinear(const Pyramid& pyramid, const Level& level, float u, float v) const;
 
   std::array<float, 256> linear_from_srgb_{};

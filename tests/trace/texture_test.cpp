@@ -4,6 +4,8 @@
 #include "renderer/core/random.h"
 #include "renderer/trace/color.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -178,6 +180,61 @@ TEST(TextureSet, FootprintOfACheckerboardIsItsMean) {
   // Footprints as wide as a square keep the squares: at the middle of one of 8 texels.
   EXPECT_GT(Filtered(textures, {0.5625F, 0.5625F}, 4.0F / 64.0F, 4.0F / 64.0F)[1], 0.95F);
   EXPECT_LT(Filtered(textures, {0.5625F, 0.6875F}, 4.0F / 64.0F, 4.0F / 64.0F)[1], 0.05F);
+}
+
+/// Bright discs on black holes: of 32 texels, alpha 255 within 10 of the middle.
+Scene SceneWithCutOutDiscs() {
+  Scene scene;
+  scene.textures.resize(1);
+  scene.textures[0].is_srgb = true;
+  scene.textures[0].texels = Image<uint8_t>(32, 32, 4);
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      if (std::hypot(x - 15.5, y - 15.5) < 10.0) {
+        for (int channel = 0; channel < 4; ++channel) {
+          scene.textures[0].texels.At(x, y, channel) = 255;
+        }
+      }
+    }
+  }
+  Material leaf;
+  leaf.base_color_texture_idx = 0;
+  leaf.alpha_cutoff = 0.5F;
+  scene.materials = {leaf};
+  return scene;
+}
+
+TEST(TextureSet, HolesDoNotDarkenWhatIsCutOutOfThem) {
+  Scene scene = SceneWithCutOutDiscs();
+  // What rays meet is white, from however far, and beside the holes as well.
+  const auto darkest = [](const TextureSet& textures, float width) {
+    float least = 1.0F;
+    for (int i = 0; i < 100; ++i) {
+      const Vec2f texcoord(0.005F + 0.01F * static_cast<float>(i), 0.4F);
+      least = std::min(least, Filtered(textures, texcoord, width, width).head<3>().minCoeff());
+    }
+    return least;
+  };
+  for (const float width : {2.0F / 32.0F, 4.0F / 32.0F, 0.5F, 1.0F, 10.0F}) {
+    EXPECT_EQ(darkest(TextureSet(scene), width), 1.0F) << width;
+  }
+  // A second material that shows the whole texture gets the plain mean, as does one that is not
+  // masked at all.
+  Material whole;
+  whole.base_color_texture_idx = 0;
+  scene.materials.push_back(whole);
+  EXPECT_NEAR(darkest(TextureSet(scene), 10.0F), LinearMean(scene.textures[0])[0], 1.15F / 255.0F);
+  scene.materials.erase(scene.materials.begin());
+  EXPECT_NEAR(darkest(TextureSet(scene), 10.0F), LinearMean(scene.textures[0])[0], 1.15F / 255.0F);
+}
+
+TEST(TextureSet, BaseAlphaCountsForHoles) {
+  Scene scene = SceneWithCutOutDiscs();
+  // Nothing is left of the discs themselves at this alpha: all is a hole, and the mean is plain.
+  scene.materials[0].base_alpha = 0.4F;
+  EXPECT_NEAR(Filtered(TextureSet(scene), {0.5F, 0.5F}, 10.0F, 10.0F)[0],
+              LinearMean(scene.textures[0])[0],
+              1.15F / 255.0F);
 }
 
 TEST(TextureSet, FilteringGrowsWithoutJumps) {
