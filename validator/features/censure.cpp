@@ -219,17 +219,20 @@ LineMoments MomentsAround(const ResponseMap& map, int x, int y, int outer_size) 
   return moments;
 }
 
-KeyPoints PointsOf(const ResponseMap& map, const CensureSetting& setting) {
+/// `num_scales`: how many the map has seen.
+KeyPoints PointsOf(const ResponseMap& map, int num_scales, const CensureSetting& setting) {
   KeyPoints points;
   const int reach = setting.suppress_nonmax_size / 2;
   const auto threshold = static_cast<float>(std::max(setting.response_threshold, 0));
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
       const float magnitude = std::abs(map.Response(x, y));
-      if (magnitude < threshold || magnitude == 0.0F || ExtremumReach(map, x, y, reach) < reach) {
+      const int scale_number = std::abs(map.Scale(x, y));
+      const bool is_inner_scale = scale_number > 1 && scale_number < num_scales;
+      if (magnitude < threshold || !is_inner_scale || ExtremumReach(map, x, y, reach) < reach) {
         continue;
       }
-      const int outer_size = 2 * kInnerSizes[std::abs(map.Scale(x, y)) - 1];
+      const int outer_size = 2 * kInnerSizes[scale_number - 1];
       const LineMoments moments = MomentsAround(map, x, y, outer_size);
       if (moments.projected.IsLine(setting.line_threshold_projected) ||
           moments.binarized.IsLine(setting.line_threshold_binarized)) {
@@ -288,7 +291,7 @@ std::vector<KeyPoints> DetectCensure(const cv::Mat& grey,
     for (size_t s = 0; s < settings.size(); ++s) {
       if (2 * size <= settings[s].max_size &&
           (is_last || 2 * kInnerSizes[i + 1] > settings[s].max_size)) {
-        points[s] = PointsOf(map, settings[s]);
+        points[s] = PointsOf(map, i + 1, settings[s]);
       }
     }
   }

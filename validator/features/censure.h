@@ -11,10 +11,12 @@
 //
 // A pixel's response is that of the scale where it is largest in absolute value. Key points are its
 // extrema in a window of suppressNonmaxSize^2 pixels with |response| >= responseThreshold that lie
-// on no line. Two second moment matrices tell lines, over 9 x 9 places around the point, a quarter
-// of the star's size apart: of the gradient of the responses (projected), and of the gradient of
-// "this pixel has the point's scale and sign" (binarized); a point is rejected where trace^2 >=
-// threshold * determinant.
+// on no line. An extremum over scale has a scale below and one above: the first and the last scale
+// are there for their neighbours alone (a blob larger than all stars has no place of its own). Two
+// second moment matrices tell lines, over 9 x 9 places around the point, a quarter of the star's
+// size apart: of the gradient of the responses (projected), and of the gradient of "this pixel has
+// the point's scale and sign" (binarized); a point is rejected where trace^2 >= threshold *
+// determinant.
 #pragma once
 
 #include "validator/features/features.h"
@@ -24,7 +26,7 @@
 namespace pfseq {
 
 struct CensureSetting {
-  /// Of the outer star; 4 to 128.
+  /// Of the outer star; 4 to 128. With less than 6 there is no scale with two neighbours.
   int max_size = 16;
   int response_threshold = 30;
   int line_threshold_projected = 10;

@@ -60,6 +60,21 @@ TEST(Censure, ResponseIsTheContrastOfAPerfectBlob) {
   EXPECT_LE(centre->response, 100.0F);
 }
 
+TEST(Censure, BlobsBeyondTheScalesOnEitherSideAreNotFound) {
+  const auto has_centre = [](int radius, int max_size) {
+    CensureSetting setting;
+    setting.max_size = max_size;
+    const KeyPoints points = DetectCensure(Disc(radius, 220, 40), setting);
+    const cv::KeyPoint* nearest = Nearest(points, 90.0F, 80.0F);
+    return nearest != nullptr && std::hypot(nearest->pt.x - 90.0F, nearest->pt.y - 80.0F) < 2.0F;
+  };
+  EXPECT_TRUE(has_centre(3, 8));
+  EXPECT_FALSE(has_centre(6, 8));  // strongest at the largest star, as far as that can tell
+  EXPECT_TRUE(has_centre(6, 32));
+  EXPECT_FALSE(has_centre(0, 32));  // a single pixel
+  EXPECT_FALSE(has_centre(3, 4));   // two scales, no inner one
+}
+
 TEST(Censure, PlainImagesRampsAndEdgesHaveNoPoints) {
   cv::Mat image(120, 120, CV_8U, cv::Scalar(255));
   EXPECT_TRUE(DetectCensure(image, Wide()).empty());
@@ -110,7 +125,8 @@ TEST(Censure, SettingsTogetherAreAsEachAlone) {
     ASSERT_EQ(alone.size(), together[i].size());
     for (size_t k = 0; k < alone.size(); ++k) {
       EXPECT_EQ(alone[k].pt, together[i][k].pt);
-      EXPECT_LE(alone[k].size, static_cast<float>(settings[i].max_size));
+      EXPECT_LT(alone[k].size, static_cast<float>(settings[i].max_size));
+      EXPECT_GE(alone[k].size, 4.0F);
     }
   }
 }
