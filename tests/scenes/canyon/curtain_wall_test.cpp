@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/canyon/curtain_wall.h"
 
+#include "renderer/trace/ray_scene.h"
 #include "tests/scenes/canyon/canyon_test_support.h"
+#include "tests/scenes/canyon/surface_checks.h"
 
 #include <gtest/gtest.h>
 

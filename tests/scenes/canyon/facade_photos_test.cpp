@@ -4,8 +4,10 @@
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
 #include "renderer/sequence/image_io.h"
+#include "renderer/trace/ray_scene.h"
 #include "scenes/canyon/photo_front.h"
 #include "tests/scenes/canyon/canyon_test_support.h"
+#include "tests/scenes/canyon/surface_checks.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
@@ -95,10 +97,9 @@ TEST_F(FacadePhotosTest, MapsAreCroppedAlikeAndOfTheSameSize) {
       ReadFacadePhotos(Write(good + "    normal: normal.png\n    roughness: front.png\n"));
   EXPECT_EQ(photos.photos[0]->normal->WidthPx(), 20);
   EXPECT_EQ(*photos.photos[0]->roughness, *photos.photos[0]->image);
-  EXPECT_THAT(MessageOf<InputError>([&] {
-                ReadFacadePhotos(Write(good + "    normal: small.png\n"));
-              }),
-              testing::HasSubstr("normal: expected the photograph's size, 40 x 20 px, got 20 x 10"));
+  EXPECT_THAT(
+      MessageOf<InputError>([&] { ReadFacadePhotos(Write(good + "    normal: small.png\n")); }),
+      testing::HasSubstr("normal: expected the photograph's size, 40 x 20 px, got 20 x 10"));
 }
 
 TEST_F(FacadePhotosTest, ChoosesOnesOfAboutTheHeightWanted) {

@@ -2,6 +2,7 @@
 #include "scenes/canyon/facade.h"
 
 #include "tests/scenes/canyon/canyon_test_support.h"
+#include "tests/scenes/canyon/surface_checks.h"
 
 #include <gtest/gtest.h>
 

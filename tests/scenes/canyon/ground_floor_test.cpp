@@ -3,6 +3,7 @@
 
 #include "scenes/canyon/shapes.h"
 #include "tests/scenes/canyon/canyon_test_support.h"
+#include "tests/scenes/canyon/surface_checks.h"
 
 #include <gtest/gtest.h>
 

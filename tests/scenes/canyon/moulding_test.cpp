@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/canyon/moulding.h"
 
+#include "renderer/trace/ray_scene.h"
 #include "tests/scenes/canyon/canyon_test_support.h"
 
 #include <gtest/gtest.h>

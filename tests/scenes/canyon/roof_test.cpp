@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/canyon/roof.h"
 
+#include "renderer/trace/ray_scene.h"
 #include "scenes/canyon/party_wall.h"
 #include "tests/scenes/canyon/canyon_test_support.h"
+#include "tests/scenes/canyon/surface_checks.h"
 
 #include <array>
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/canyon/street_life.h"
 
+#include "renderer/trace/ray_scene.h"
 #include "scenes/canyon/roof_props.h"
 #include "scenes/canyon/street_props.h"
 #include "scenes/canyon/tree.h"
 #include "scenes/canyon/vehicle.h"
 #include "tests/scenes/canyon/canyon_test_support.h"
+#include "tests/scenes/canyon/surface_checks.h"
 
 #include <functional>
 
