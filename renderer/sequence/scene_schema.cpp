@@ -41,11 +41,17 @@ YamlTypePtr<CanyonSpec> CanyonSchema() {
            "How far windows lie behind walls and sills, mouldings and balconies stand out: 1 as in "
            "old stone houses; "
            "less: flatter, with fewer balconies.")
-      .Key("small_panes",
-           &CanyonSpec::small_panes,
+      .Key(
+          "small_panes",
+          &CanyonSpec::small_panes,
+          From(0.0, 1.0),
+          "Share of the buildings whose windows have light glazing bars about small panes: regular "
+          "patterns of strong contrast.")
+      .Key("rubble",
+           &CanyonSpec::rubble,
            From(0.0, 1.0),
-           "Share of the buildings whose windows have light glazing bars about small panes: regular "
-           "patterns of strong contrast.")
+           "Share of the buildings whose walls are of rubble, stones of all sizes and shades: "
+           "patterns of strong contrast of which no two places are alike.")
       .Key("street_life",
            &CanyonSpec::street_life,
            From(0.0, 2.0),

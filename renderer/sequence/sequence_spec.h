@@ -103,6 +103,8 @@ struct CanyonSpec {
   double relief = 1.0;
   /// Share of buildings whose windows have glazing bars about small panes.
   double small_panes = 0.0;
+  /// Share of buildings whose walls are of rubble: stones of all sizes and shades.
+  double rubble = 0.0;
   /// What stands and hangs in the streets: 0 nothing, 1 the default, 2 crowded.
   double street_life = 1.0;
   /// Size of the texels of fronts beside the drive at street level.

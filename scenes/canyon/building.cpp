@@ -306,6 +306,8 @@ Building DesignBuilding(const Lot& lot,
   SetMaterials(palette, materials, building);
   RandomStream panes({seed, 5});
   DivideWindows(canyon, palette, panes, building);
+  RandomStream walls({seed, 6});
+  building.is_rubble = building.style != FacadeStyle::kGlass && walls.Chance(canyon.rubble);
   RandomStream weather({seed, 4});
   const bool is_old =
       building.style != FacadeStyle::kGlass && building.style != FacadeStyle::kConcrete;

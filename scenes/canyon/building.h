@@ -13,8 +13,8 @@ namespace pfseq {
 
 struct FacadePhoto;
 
-/// 19th-century brick, plaster and ashlar; smooth fronts with bands of windows from between the wars;
-/// post-war concrete; modern glass.
+/// 19th-century brick, plaster and ashlar; smooth fronts with bands of windows from between the
+/// wars; post-war concrete; modern glass.
 enum class FacadeStyle { kBrick, kPlaster, kAshlar, kInterwar, kConcrete, kGlass };
 enum class RoofKind { kFlat, kMansard, kGable };
 enum class BalconyPattern { kNone, kFrench, kSingle, kContinuous, kPlate };
@@ -72,6 +72,8 @@ struct Building {
   BalconyPattern balcony = BalconyPattern::kNone;
   bool has_shops = true;
   bool has_string_courses = false;
+  /// Walls in sight of the drive are painted as rubble of the wall's colour.
+  bool is_rubble = false;
   /// Stones that dress the corners of the wall, painted.
   bool has_quoins = false;
   /// 0: none.

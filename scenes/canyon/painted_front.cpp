@@ -53,6 +53,9 @@ int OrderWall(const BuildContext& context,
   const bool is_ground = area.low_m.y() < kKerbHeight_m + 0.5;
   WallPainting painting;
   painting.look = context.paintings->LookOf(wall, building.seed, building.age);
+  if (building.is_rubble) {
+    painting.look.surface = WallSurface::kRubble;
+  }
   painting.area = area;
   painting.texel_m = context.paintings->TexelM() * (is_ground ? 1.0 : kUpperTexel) *
                      std::clamp(sight_m / kNear_m, 1.0, 12.0);

@@ -53,6 +53,9 @@ void CheckSpec(const CanyonSpec& canyon) {
   if (!(canyon.small_panes >= 0.0 && canyon.small_panes <= 1.0)) {
     throw InputError("scene.canyon.small_panes: expected 0 to 1, got {}", canyon.small_panes);
   }
+  if (!(canyon.rubble >= 0.0 && canyon.rubble <= 1.0)) {
+    throw InputError("scene.canyon.rubble: expected 0 to 1, got {}", canyon.rubble);
+  }
   if (canyon.surrounding_blocks < 0) {
     throw InputError("scene.canyon.surrounding_blocks: expected >= 0, got {}",
                      canyon.surrounding_blocks);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pfseq {
 namespace {
@@ -166,6 +167,58 @@ void PaintConcrete(const WallLook& look, WallCanvas& canvas) {
   });
 }
 
+/// Where the stones of rubble meet: cells of Worley's noise (Worley 1996, "A cellular texture basis
+/// function"), of which the larger stones take more.
+Unit RubbleAt(double u_m, double v_m, uint64_t seed) {
+  constexpr double kLength_m = 0.5;
+  constexpr double kHeight_m = 0.35;
+  const double u = u_m / kLength_m;
+  const double v = v_m / kHeight_m;
+  const auto column = static_cast<int64_t>(std::floor(u));
+  const auto row = static_cast<int64_t>(std::floor(v));
+  double nearest = std::numeric_limits<double>::max();
+  double second = nearest;
+  Unit unit;
+  for (int64_t j = row - 1; j <= row + 1; ++j) {
+    for (int64_t i = column - 1; i <= column + 1; ++i) {
+      const uint64_t key = HashKey({seed, static_cast<uint64_t>(i), static_cast<uint64_t>(j)});
+      const Vec2d from(u - (static_cast<double>(i) + 0.15 + 0.7 * Draw(key, 1)),
+                       v - (static_cast<double>(j) + 0.15 + 0.7 * Draw(key, 2)));
+      const double distance = from.norm() - 0.25 * Draw(key, 3);
+      if (distance < nearest) {
+        second = nearest;
+        nearest = distance;
+        unit.key = key;
+      } else if (distance < second) {
+        second = distance;
+      }
+    }
+  }
+  // Half the difference, at the scale of both axes' mean.
+  unit.rim_m = 0.25 * (second - nearest) * (kLength_m + kHeight_m);
+  return unit;
+}
+
+/// Field stones of all shades in pale mortar: no two places of a wall look alike.
+void PaintRubble(const WallLook& look, WallCanvas& canvas) {
+  const FractalTile& fractal = SharedFractal();
+  const double half_joint_m = 0.01;
+  const double soft_m = std::max(0.004, 0.6 * canvas.TexelM());
+  const Rgb mortar = Scaled(look.color, 1.05);
+  canvas.ForEach(canvas.LowM(), canvas.HighM(), [&](WallTexel& texel, const Vec2d& point_m) {
+    const double u = point_m.x();
+    const double v = point_m.y();
+    const Unit stone = RubbleAt(u, v, look.seed);
+    const double fine = fractal.At(u, v, canvas.TexelM(), look.seed % 89 + 100);
+    const double face =
+        Ramp(half_joint_m - 0.5 * soft_m, half_joint_m + soft_m, stone.rim_m + 0.003 * fine);
+    const double tone = 0.5 + Draw(stone.key, 4) + 0.08 * fine;
+    const Rgb color = Warmed(Scaled(look.color, tone), 0.1 * (Draw(stone.key, 5) - 0.5));
+    texel.color = MixColor(mortar, color, face);
+    texel.height_m = static_cast<float>(0.006 * face + 0.0012 * fine);
+  });
+}
+
 }  // namespace
 
 Brickwork::Brickwork(const WallLook& look)
@@ -220,6 +273,9 @@ void PaintSurface(const WallLook& look, WallCanvas& canvas) {
       break;
     case WallSurface::kConcrete:
       PaintConcrete(look, canvas);
+      break;
+    case WallSurface::kRubble:
+      PaintRubble(look, canvas);
       break;
   }
 }

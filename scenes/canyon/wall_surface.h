@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What walls are made of, unweathered: brick bonds, ashlar, plaster, concrete, by the metre.
+// What walls are made of, unweathered: brick bonds, ashlar, rubble, plaster, concrete, by the
+// metre.
 #pragma once
 
 #include "renderer/core/vector.h"
@@ -9,7 +10,7 @@
 
 namespace pfseq {
 
-enum class WallSurface { kPlaster, kBrick, kAshlar, kConcrete };
+enum class WallSurface { kPlaster, kBrick, kAshlar, kConcrete, kRubble };
 
 /// The look of one house's wall.
 struct WallLook {

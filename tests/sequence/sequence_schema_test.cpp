@@ -41,7 +41,7 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
       "  height_m: 11\n"
       "scene:\n"
       "  canyon: {seed: 12, street_width_m: [13, 14], building_height_m: [15, 16], detail: 1.7, "
-      "relief: 0.6, small_panes: 0.3,\n"
+      "relief: 0.6, small_panes: 0.3, rubble: 0.7,\n"
       "           pitched_roof_share: 0.18, surrounding_blocks: 19}\n"
       "light:\n"
       "  sun: {elevation_deg: 20, azimuth_deg: 21, angular_diameter_deg: 2.2, strength: 23}\n"
@@ -69,7 +69,8 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
       "    one: {position: 0.64, radius_px: 65, strength: [0.066, 0.067, 0.068], hollow: 0.69}\n"
       "    two: {}\n"
       "sensor: {exposure: 32, metering: frame, tone_curve: clip, encoding: linear, "
-      "white_electrons: 7000, read_noise_electrons: 7.1, mosaic: gbrg, color: grey, bits: 8, jpeg_quality: 72}\n"
+      "white_electrons: 7000, read_noise_electrons: 7.1, mosaic: gbrg, color: grey, bits: 8, "
+      "jpeg_quality: 72}\n"
       "ground_truth: {max_distance_m: 33}\n");
   SequenceSpec expected;
   expected.name = "every key";
@@ -97,6 +98,7 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
   expected.scene.canyon.detail = 1.7;
   expected.scene.canyon.relief = 0.6;
   expected.scene.canyon.small_panes = 0.3;
+  expected.scene.canyon.rubble = 0.7;
   expected.scene.canyon.pitched_roof_share = 0.18;
   expected.scene.canyon.surrounding_blocks = 19;
   expected.light.sun = SunSpec{
@@ -298,15 +300,17 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   TrajectorySpec trajectory = spec.trajectory;
   trajectory.drive = DriveSpec{};
   EXPECT_EQ(trajectory, TrajectorySpec{});
-  // All but what makes the city like PFSeq's: quieter streets of flat fronts and small panes.
+  // All but what makes the city like PFSeq's: quieter streets of flat stone fronts and small panes.
   SceneSpec scene = spec.scene;
   EXPECT_EQ(scene.canyon.relief, 0.1);
   EXPECT_EQ(scene.canyon.street_life, 0.6);
   EXPECT_EQ(scene.canyon.small_panes, 1.0);
+  EXPECT_EQ(scene.canyon.rubble, 0.8);
   EXPECT_EQ(scene.canyon.street_width_m, (std::array{18.0, 22.0}));
   EXPECT_EQ(scene.canyon.building_height_m, (std::array{18.0, 34.0}));
   scene.canyon.relief = CanyonSpec{}.relief;
   scene.canyon.small_panes = CanyonSpec{}.small_panes;
+  scene.canyon.rubble = CanyonSpec{}.rubble;
   scene.canyon.street_life = CanyonSpec{}.street_life;
   scene.canyon.street_width_m = CanyonSpec{}.street_width_m;
   scene.canyon.building_height_m = CanyonSpec{}.building_height_m;

@@ -86,6 +86,26 @@ TEST(Building, SmallPanesDivideTheWindowsOfTheirShare) {
   EXPECT_NEAR(num_divided, 0.4 * num_with_frames, 30.0);
 }
 
+TEST(Building, RubbleIsTheWallOfItsShareAndChangesNothingElse) {
+  const Palette palette = PlainPalette();
+  CanyonSpec canyon;
+  canyon.rubble = 0.3;
+  int num_rubble = 0;
+  int num_walls = 0;
+  for (uint64_t seed = 0; seed < 300; ++seed) {
+    const Building plain = DesignBuilding(RowLot(), {}, {}, palette, seed);
+    const Building house = DesignBuilding(RowLot(), canyon, {}, palette, seed);
+    EXPECT_FALSE(plain.is_rubble);
+    EXPECT_FALSE(house.is_rubble && house.style == FacadeStyle::kGlass);
+    EXPECT_EQ(house.wall, plain.wall);
+    EXPECT_EQ(house.frame, plain.frame);
+    EXPECT_EQ(house.eave_m, plain.eave_m);
+    num_rubble += house.is_rubble ? 1 : 0;
+    num_walls += house.style != FacadeStyle::kGlass ? 1 : 0;
+  }
+  EXPECT_NEAR(num_rubble, 0.3 * num_walls, 30.0);
+}
+
 TEST(Building, DetailChangesNeitherHeightNorStyleNorColour) {
   const Palette palette = PlainPalette();
   CanyonSpec bare;

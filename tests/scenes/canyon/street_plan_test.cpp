@@ -137,6 +137,10 @@ TEST(StreetPlan, RefusesFiguresOutOfRange) {
   EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
               testing::HasSubstr("small_panes"));
   canyon = {};
+  canyon.rubble = -0.5;
+  EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
+              testing::HasSubstr("rubble"));
+  canyon = {};
   canyon.surrounding_blocks = -1;
   EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
               testing::HasSubstr("surrounding_blocks"));

@@ -57,10 +57,32 @@ INSTANTIATE_TEST_SUITE_P(Surfaces,
                          testing::Values(WallSurface::kPlaster,
                                          WallSurface::kBrick,
                                          WallSurface::kAshlar,
-                                         WallSurface::kConcrete),
+                                         WallSurface::kConcrete,
+                                         WallSurface::kRubble),
                          [](const auto& test) {
                            return "Surface" + std::to_string(static_cast<int>(test.param));
                          });
+
+TEST(WallPainting, RubbleIsOfStonesThatDifferMoreThanAshlarDoes) {
+  const auto spread = [](WallSurface surface) {
+    WallPainting painting = PlainPainting(surface);
+    painting.look.age = 0.0;
+    const Texture wall = Paint(painting).color;
+    // Of means over 25 cm: less than a stone, more than grain and joints.
+    double sum = 0.0;
+    double squares = 0.0;
+    constexpr int kNum = 8;
+    for (int i = 0; i < kNum * kNum; ++i) {
+      const Vec2d low_m(0.25 + 0.3 * (i % kNum), 4.25 + 0.25 * (i / kNum));
+      const double green = MeanGreen(wall, low_m, low_m + Vec2d(0.25, 0.25));
+      sum += green;
+      squares += green * green;
+    }
+    const double mean = sum / (kNum * kNum);
+    return std::sqrt(squares / (kNum * kNum) - mean * mean) / mean;
+  };
+  EXPECT_GT(spread(WallSurface::kRubble), 1.6 * spread(WallSurface::kAshlar));
+}
 
 TEST(WallPainting, RainLeavesStreaksUnderALedgeAlone) {
   WallPainting painting = PlainPainting(WallSurface::kPlaster);
