@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace pfseq {
 namespace {
@@ -50,12 +51,14 @@ void CheckSpec(const CanyonSpec& canyon) {
   if (!(canyon.relief > 0.0 && canyon.relief <= 1.0)) {
     throw InputError("scene.canyon.relief: expected above 0 to 1, got {}", canyon.relief);
   }
-  if (!(canyon.small_panes >= 0.0 && canyon.small_panes <= 1.0)) {
-    throw InputError("scene.canyon.small_panes: expected 0 to 1, got {}", canyon.small_panes);
-  }
-  if (!(canyon.rubble >= 0.0 && canyon.rubble <= 1.0)) {
-    throw InputError("scene.canyon.rubble: expected 0 to 1, got {}", canyon.rubble);
-  }
+  const auto check_share = [](std::string_view key, double share) {
+    if (!(share >= 0.0 && share <= 1.0)) {
+      throw InputError("scene.canyon.{}: expected 0 to 1, got {}", key, share);
+    }
+  };
+  check_share("small_panes", canyon.small_panes);
+  check_share("rubble", canyon.rubble);
+  check_share("pitched_roof_share", canyon.pitched_roof_share);
   if (canyon.surrounding_blocks < 0) {
     throw InputError("scene.canyon.surrounding_blocks: expected >= 0, got {}",
                      canyon.surrounding_blocks);

@@ -167,8 +167,8 @@ void PaintConcrete(const WallLook& look, WallCanvas& canvas) {
   });
 }
 
-/// Where the stones of rubble meet: cells of Worley's noise (Worley 1996, "A cellular texture basis
-/// function"), of which the larger stones take more.
+/// The field stone that a point lies in: a cell of Worley's noise (Worley 1996, "A cellular texture
+/// basis function"), of which larger stones take more; its position in the stone is left out.
 Unit RubbleAt(double u_m, double v_m, uint64_t seed) {
   constexpr double kLength_m = 0.5;
   constexpr double kHeight_m = 0.35;

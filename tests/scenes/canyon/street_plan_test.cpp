@@ -141,6 +141,10 @@ TEST(StreetPlan, RefusesFiguresOutOfRange) {
   EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
               testing::HasSubstr("rubble"));
   canyon = {};
+  canyon.pitched_roof_share = 1.01;
+  EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
+              testing::HasSubstr("pitched_roof_share"));
+  canyon = {};
   canyon.surrounding_blocks = -1;
   EXPECT_THAT(MessageOf<InputError>([&] { PlanStreets(canyon, {}); }),
               testing::HasSubstr("surrounding_blocks"));
