@@ -50,8 +50,8 @@ YamlTypePtr<CanyonSpec> CanyonSchema() {
       .Key("rubble",
            &CanyonSpec::rubble,
            From(0.0, 1.0),
-           "Share of the buildings whose walls are of rubble, stones of all sizes and shades: "
-           "patterns of strong contrast of which no two places are alike.")
+           "Share of the buildings whose walls are of rubble, field stones of which one in ten is "
+           "black or pale: marks of strong contrast, no two places alike.")
       .Key("street_life",
            &CanyonSpec::street_life,
            From(0.0, 2.0),

@@ -103,7 +103,7 @@ struct CanyonSpec {
   double relief = 1.0;
   /// Share of buildings whose windows have glazing bars about small panes.
   double small_panes = 0.0;
-  /// Share of buildings whose walls are of rubble: stones of all sizes and shades.
+  /// Share of buildings with walls of rubble: field stones, one in ten black or pale.
   double rubble = 0.0;
   /// What stands and hangs in the streets: 0 nothing, 1 the default, 2 crowded.
   double street_life = 1.0;

@@ -170,10 +170,9 @@ void PaintConcrete(const WallLook& look, WallCanvas& canvas) {
 /// The field stone that a point lies in: a cell of Worley's noise (Worley 1996, "A cellular texture
 /// basis function"), of which larger stones take more; its position in the stone is left out.
 Unit RubbleAt(double u_m, double v_m, uint64_t seed) {
-  constexpr double kLength_m = 0.5;
-  constexpr double kHeight_m = 0.35;
-  const double u = u_m / kLength_m;
-  const double v = v_m / kHeight_m;
+  constexpr double kStone_m = 0.4;
+  const double u = u_m / kStone_m;
+  const double v = v_m / kStone_m;
   const auto column = static_cast<int64_t>(std::floor(u));
   const auto row = static_cast<int64_t>(std::floor(v));
   double nearest = std::numeric_limits<double>::max();
@@ -182,9 +181,9 @@ Unit RubbleAt(double u_m, double v_m, uint64_t seed) {
   for (int64_t j = row - 1; j <= row + 1; ++j) {
     for (int64_t i = column - 1; i <= column + 1; ++i) {
       const uint64_t key = HashKey({seed, static_cast<uint64_t>(i), static_cast<uint64_t>(j)});
-      const Vec2d from(u - (static_cast<double>(i) + 0.15 + 0.7 * Draw(key, 1)),
-                       v - (static_cast<double>(j) + 0.15 + 0.7 * Draw(key, 2)));
-      const double distance = from.norm() - 0.25 * Draw(key, 3);
+      const Vec2d from(u - (static_cast<double>(i) + 0.3 + 0.4 * Draw(key, 1)),
+                       v - (static_cast<double>(j) + 0.3 + 0.4 * Draw(key, 2)));
+      const double distance = from.norm() - 0.1 * Draw(key, 3);
       if (distance < nearest) {
         second = nearest;
         nearest = distance;
@@ -194,12 +193,18 @@ Unit RubbleAt(double u_m, double v_m, uint64_t seed) {
       }
     }
   }
-  // Half the difference, at the scale of both axes' mean.
-  unit.rim_m = 0.25 * (second - nearest) * (kLength_m + kHeight_m);
+  unit.rim_m = 0.5 * (second - nearest) * kStone_m;
   return unit;
 }
 
-/// Field stones of all shades in pale mortar: no two places of a wall look alike.
+/// Brightness of a field stone: most come from one quarry, one in ten from elsewhere.
+double RubbleTone(uint64_t stone_key) {
+  const double origin = Draw(stone_key, 6);
+  const double rock = origin < 0.06 ? 0.15 : origin > 0.96 ? 1.6 : 1.0;
+  return rock * (0.9 + 0.2 * Draw(stone_key, 4));
+}
+
+/// Field stones in pale mortar; the odd black or pale one makes each place unlike the others.
 void PaintRubble(const WallLook& look, WallCanvas& canvas) {
   const FractalTile& fractal = SharedFractal();
   const double half_joint_m = 0.01;
@@ -212,7 +217,7 @@ void PaintRubble(const WallLook& look, WallCanvas& canvas) {
     const double fine = fractal.At(u, v, canvas.TexelM(), look.seed % 89 + 100);
     const double face =
         Ramp(half_joint_m - 0.5 * soft_m, half_joint_m + soft_m, stone.rim_m + 0.003 * fine);
-    const double tone = 0.5 + Draw(stone.key, 4) + 0.08 * fine;
+    const double tone = RubbleTone(stone.key) + 0.08 * fine;
     const Rgb color = Warmed(Scaled(look.color, tone), 0.1 * (Draw(stone.key, 5) - 0.5));
     texel.color = MixColor(mortar, color, face);
     texel.height_m = static_cast<float>(0.006 * face + 0.0012 * fine);

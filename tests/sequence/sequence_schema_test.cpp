@@ -300,17 +300,19 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   TrajectorySpec trajectory = spec.trajectory;
   trajectory.drive = DriveSpec{};
   EXPECT_EQ(trajectory, TrajectorySpec{});
-  // All but what makes the city like PFSeq's: quieter streets of flat stone fronts and small panes.
+  // All but what makes the city like PFSeq's: quieter streets of flat stone fronts, flat roofs.
   SceneSpec scene = spec.scene;
   EXPECT_EQ(scene.canyon.relief, 0.1);
   EXPECT_EQ(scene.canyon.street_life, 0.6);
-  EXPECT_EQ(scene.canyon.small_panes, 1.0);
-  EXPECT_EQ(scene.canyon.rubble, 0.8);
+  EXPECT_EQ(scene.canyon.small_panes, 0.3);
+  EXPECT_EQ(scene.canyon.rubble, 1.0);
+  EXPECT_EQ(scene.canyon.pitched_roof_share, 0.0);
   EXPECT_EQ(scene.canyon.street_width_m, (std::array{18.0, 22.0}));
   EXPECT_EQ(scene.canyon.building_height_m, (std::array{18.0, 34.0}));
   scene.canyon.relief = CanyonSpec{}.relief;
   scene.canyon.small_panes = CanyonSpec{}.small_panes;
   scene.canyon.rubble = CanyonSpec{}.rubble;
+  scene.canyon.pitched_roof_share = CanyonSpec{}.pitched_roof_share;
   scene.canyon.street_life = CanyonSpec{}.street_life;
   scene.canyon.street_width_m = CanyonSpec{}.street_width_m;
   scene.canyon.building_height_m = CanyonSpec{}.building_height_m;
@@ -325,7 +327,7 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   EXPECT_EQ(spec.render, RenderSpec{});
   // A camera that exposes for the street's shade.
   SensorSpec sensor = spec.sensor;
-  EXPECT_EQ(sensor.exposure, 0.04);
+  EXPECT_EQ(sensor.exposure, 0.05);
   sensor.exposure.reset();
   EXPECT_EQ(sensor, SensorSpec{});
   EXPECT_EQ(spec.ground_truth, GroundTruthSpec{});
