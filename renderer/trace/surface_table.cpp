@@ -16,6 +16,10 @@ constexpr float kMinViewerCosine = 1e-4F;
 /// grazing ray has no end.
 constexpr float kMinSlope = 0.02F;
 
+/// Textures are averaged over no more than this share of the root of a triangle's area in them:
+/// what lies beside a leaf in an atlas does not belong to the leaf, however small it is seen.
+constexpr float kMaxFootprintShare = 0.125F;
+
 Vec3f AsVector(const std::array<float, 3>& values) { return {values[0], values[1], values[2]}; }
 Vec2f AsVector(const std::array<float, 2>& values) { return {values[0], values[1]}; }
 
@@ -114,14 +118,13 @@ ShadingPoint SurfaceTable::Shade(const PacketHit& hit,
     return hit.distance_m *
            (Vec2f(gradient_u.dot(change), gradient_v.dot(change)) - sliding * along);
   };
-  const Vec2f texcoord = AsVector(triangle.texcoord0) + hit.u * AsVector(triangle.texcoord_edge1) +
-                         hit.v * AsVector(triangle.texcoord_edge2) +
-                         texcoord_change(footprint.to_middle);
-  Finish(hit,
-         direction,
-         material,
-         {texcoord, texcoord_change(footprint.axis_x), texcoord_change(footprint.axis_y)},
-         point);
+  TextureFootprint texture = FootprintWithin(
+      triangle, texcoord_change(footprint.axis_x), texcoord_change(footprint.axis_y));
+  texture.texcoord = TexcoordAt(triangle, hit);
+  if (!texture.is_limited) {
+    texture.texcoord += texcoord_change(footprint.to_middle);
+  }
+  Finish(hit, direction, material, texture, point);
   return point;
 }
 
@@ -134,14 +137,35 @@ ShadingPoint SurfaceTable::Shade(const PacketHit& hit,
   point.position_m = origin_m + hit.distance_m * direction;
   const Triangle& triangle = triangles_[point.triangle_idx];
   const Material& material = scene_->materials[triangle.material_idx];
-  const Vec2f texcoord = AsVector(triangle.texcoord0) + hit.u * AsVector(triangle.texcoord_edge1) +
-                         hit.v * AsVector(triangle.texcoord_edge2);
   const float per_metre = std::max(AsVector(triangle.gradient_u).squaredNorm(),
                                    AsVector(triangle.gradient_v).squaredNorm());
   const float width = footprint_m * std::sqrt(per_metre);
-  Finish(hit, direction, material, {texcoord, Vec2f(width, 0.0F), Vec2f(0.0F, width)}, point);
+  TextureFootprint texture = FootprintWithin(triangle, {width, 0.0F}, {0.0F, width});
+  texture.texcoord = TexcoordAt(triangle, hit);
+  Finish(hit, direction, material, texture, point);
   point.parameters.roughness = std::max(point.parameters.roughness, min_roughness);
   return point;
+}
+
+Vec2f SurfaceTable::TexcoordAt(const Triangle& triangle, const PacketHit& hit) {
+  return AsVector(triangle.texcoord0) + hit.u * AsVector(triangle.texcoord_edge1) +
+         hit.v * AsVector(triangle.texcoord_edge2);
+}
+
+SurfaceTable::TextureFootprint SurfaceTable::FootprintWithin(const Triangle& triangle,
+                                                             const Vec2f& axis_x,
+                                                             const Vec2f& axis_y) {
+  const std::array<float, 2>& edge1 = triangle.texcoord_edge1;
+  const std::array<float, 2>& edge2 = triangle.texcoord_edge2;
+  const float area = 0.5F * std::abs(edge1[0] * edge2[1] - edge1[1] * edge2[0]);
+  const float squared_limit = kMaxFootprintShare * kMaxFootprintShare * area;
+  const float squared = std::max(axis_x.squaredNorm(), axis_y.squaredNorm());
+  TextureFootprint footprint;
+  footprint.is_limited = squared > squared_limit;
+  const float scale = footprint.is_limited ? std::sqrt(squared_limit / squared) : 1.0F;
+  footprint.axis_x = scale * axis_x;
+  footprint.axis_y = scale * axis_y;
+  return footprint;
 }
 
 void SurfaceTable::Finish(const PacketHit& hit,

@@ -107,7 +107,15 @@ class SurfaceTable {
     Vec2f texcoord;
     Vec2f axis_x;
     Vec2f axis_y;
+    /// The ray's own footprint is wider than the triangle lets it be.
+    bool is_limited = false;
   };
+
+  static Vec2f TexcoordAt(const Triangle& triangle, const PacketHit& hit);
+  /// A footprint of these axes, made no wider than the triangle.
+  static TextureFootprint FootprintWithin(const Triangle& triangle,
+                                          const Vec2f& axis_x,
+                                          const Vec2f& axis_y);
 
   void Finish(const PacketHit& hit,
               const Vec3f& direction,
