@@ -39,8 +39,9 @@ struct SampleTarget {
   CellFilm::Cell* cell = nullptr;
 };
 
-/// Samples of each pixel by which the records are found that a view looks up.
-constexpr int kMarkingSamples = 2;
+/// One sample of a pixel in so many columns and rows finds nearly all records that a view looks up;
+/// the others are computed when they are looked up.
+constexpr int kMarkingStepPx = 2;
 
 /// Collects samples until a packet is full, then marks the records that they look up.
 class PacketMarker {
@@ -329,9 +330,9 @@ std::vector<LightStore::RecordId> WantedRecords(const CachedLightTracer& tracer,
   std::mutex mutex;
   ForEachTile(view, num_threads, [&](const Tile& tile) {
     PacketMarker marker(tracer);
-    for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x) {
-        sampler.SampleUpTo(kMarkingSamples, x, y, marker);
+    for (int y = tile.y0; y < tile.y1; y += kMarkingStepPx) {
+      for (int x = tile.x0; x < tile.x1; x += kMarkingStepPx) {
+        sampler.SampleUpTo(1, x, y, marker);
       }
     }
     marker.Flush();

@@ -42,8 +42,8 @@ Image<float> RenderCachedRadiance(const CachedLightTracer& tracer,
                                   const std::function<std::string(int x, int y)>& describe_pixel,
                                   CellFilm* film = nullptr);
 
-/// The records that the view looks up and nobody has wanted before, as far as the first sample of
-/// each pixel finds them.
+/// Most of the records that the view looks up and nobody has wanted before: those that one sample
+/// in every other column and row finds.
 std::vector<LightStore::RecordId> WantedRecords(const CachedLightTracer& tracer,
                                                 const LensRaster& raster,
                                                 const View& view,

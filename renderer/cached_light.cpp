@@ -177,11 +177,14 @@ void CachedLight::Prepare(const std::vector<RasterView>& views,
   constexpr int kNumRounds = 2;
   for (int round = 0; round < kNumRounds; ++round) {
     std::vector<LightStore::RecordId> missing;
+    Progress progress("light, what the views see of it", views.size(), quiet);
     for (const RasterView& item : views) {
       const std::vector<LightStore::RecordId> wanted =
           WantedRecords(tracer_, *item.raster, item.view, sampling, num_threads);
       missing.insert(missing.end(), wanted.begin(), wanted.end());
+      progress.Advance();
     }
+    progress.Finish();
     if (missing.empty()) {
       return;
     }
