@@ -1,12 +1,21 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How time and memory grow with frames, image size and triangles. Usage: benchmarks/growth.sh [PFSEQ_PROGRAM]
+# How time and memory grow with frames, image size and triangles.
+# Usage: benchmarks/growth.sh [PFSEQ_PROGRAM [frames|size|triangles ...]]     without a word: all three
 # Prints wall seconds, CPU seconds and peak memory of whole runs (scene, acceleration structure and writing included),
 # first with the light to be computed, then with the light that the first has kept.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 pfseq=${1:-$root/build/release/pfseq}
+words=" ${*:2} "
+[ "$words" = "  " ] && words=" frames size triangles "
+for word in $words; do
+  case $word in
+    frames | size | triangles) ;;
+    *) echo "growth.sh: $word: expected frames, size or triangles" >&2; exit 2 ;;
+  esac
+done
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
@@ -24,12 +33,17 @@ run() {
   done
 }
 
-for frames in 1 4 16 64; do
-  run "$frames frames of 300 px" --set image.size_px=300 --frames 0:$frames
-done
-for size_px in 300 600 1200 2400; do
-  run "1 frame of $size_px px" --set image.size_px=$size_px --frames 0
-done
+if [[ $words == *" frames "* ]]; then
+  for frames in 1 4 16 64; do
+    run "$frames frames of 300 px" --set image.size_px=300 --frames 0:$frames
+  done
+fi
+if [[ $words == *" size "* ]]; then
+  for size_px in 300 600 1200 2400; do
+    run "1 frame of $size_px px" --set image.size_px=$size_px --frames 0
+  done
+fi
+[[ $words == *" triangles "* ]] || exit 0
 # Detail, rows of blocks, lengths of the streets.
 while read -r detail blocks street_m; do
   city=(--set "scene.canyon.detail=$detail" --set "scene.canyon.surrounding_blocks=$blocks"
