@@ -119,8 +119,7 @@ ShadingPoint SurfaceTable::Shade(const PacketHit& hit,
            (Vec2f(gradient_u.dot(change), gradient_v.dot(change)) - sliding * along);
   };
   TextureFootprint texture = FootprintWithin(
-      triangle, texcoord_change(footprint.axis_x), texcoord_change(footprint.axis_y));
-  texture.texcoord = TexcoordAt(triangle, hit);
+      triangle, hit, texcoord_change(footprint.axis_x), texcoord_change(footprint.axis_y));
   if (!texture.is_limited) {
     texture.texcoord += texcoord_change(footprint.to_middle);
   }
@@ -140,19 +139,17 @@ ShadingPoint SurfaceTable::Shade(const PacketHit& hit,
   const float per_metre = std::max(AsVector(triangle.gradient_u).squaredNorm(),
                                    AsVector(triangle.gradient_v).squaredNorm());
   const float width = footprint_m * std::sqrt(per_metre);
-  TextureFootprint texture = FootprintWithin(triangle, {width, 0.0F}, {0.0F, width});
-  texture.texcoord = TexcoordAt(triangle, hit);
-  Finish(hit, direction, material, texture, point);
+  Finish(hit,
+         direction,
+         material,
+         FootprintWithin(triangle, hit, {width, 0.0F}, {0.0F, width}),
+         point);
   point.parameters.roughness = std::max(point.parameters.roughness, min_roughness);
   return point;
 }
 
-Vec2f SurfaceTable::TexcoordAt(const Triangle& triangle, const PacketHit& hit) {
-  return AsVector(triangle.texcoord0) + hit.u * AsVector(triangle.texcoord_edge1) +
-         hit.v * AsVector(triangle.texcoord_edge2);
-}
-
 SurfaceTable::TextureFootprint SurfaceTable::FootprintWithin(const Triangle& triangle,
+                                                             const PacketHit& hit,
                                                              const Vec2f& axis_x,
                                                              const Vec2f& axis_y) {
   const std::array<float, 2>& edge1 = triangle.texcoord_edge1;
@@ -161,6 +158,8 @@ SurfaceTable::TextureFootprint SurfaceTable::FootprintWithin(const Triangle& tri
   const float squared_limit = kMaxFootprintShare * kMaxFootprintShare * area;
   const float squared = std::max(axis_x.squaredNorm(), axis_y.squaredNorm());
   TextureFootprint footprint;
+  footprint.texcoord = AsVector(triangle.texcoord0) + hit.u * AsVector(triangle.texcoord_edge1) +
+                       hit.v * AsVector(triangle.texcoord_edge2);
   footprint.is_limited = squared > squared_limit;
   const float scale = footprint.is_limited ? std::sqrt(squared_limit / squared) : 1.0F;
   footprint.axis_x = scale * axis_x;

@@ -111,9 +111,9 @@ class SurfaceTable {
     bool is_limited = false;
   };
 
-  static Vec2f TexcoordAt(const Triangle& triangle, const PacketHit& hit);
-  /// A footprint of these axes, made no wider than the triangle.
+  /// A footprint of these axes about a hit, made no wider than the triangle.
   static TextureFootprint FootprintWithin(const Triangle& triangle,
+                                          const PacketHit& hit,
                                           const Vec2f& axis_x,
                                           const Vec2f& axis_y);
 
