@@ -131,7 +131,7 @@ Rgb8 CachedLightTracer::SunLight(const ScatterPacket& surface,
                                  int vertex_idx,
                                  CameraPacket& packet) const {
   const Vec3x8 to_middle = Broadcast(direction_to_sun_);
-  const uint32_t facing = active & ((Dot(surface.normal, to_middle) > 0.0F) &
+  const uint32_t facing = active & ((surface.MeanCosine(to_middle) > 0.0F) &
                                     (Dot(surface.geometric_normal, to_middle) > 0.0F))
                                        .Bits();
   if (facing == 0) {
@@ -146,7 +146,7 @@ Rgb8 CachedLightTracer::SunLight(const ScatterPacket& surface,
   if (sunlit == 0) {
     return {};
   }
-  Rgb8 value = surface.normal_length * surface.EvaluateDiffuse(to_sun);
+  Rgb8 value = surface.EvaluateDiffuse(to_sun);
   if ((surface.is_specular.Bits() & sunlit) != 0) {
     const ScatterPacket::Specular specular = surface.EvaluateSpecular(to_sun);
     // Where the lobe has no density it has no value either.

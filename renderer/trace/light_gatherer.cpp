@@ -297,7 +297,7 @@ LightGatherer::FarSurfaces LightGatherer::ShadeFar(
   FarSurfaces shaded;
   if (lighting_.sun.has_value()) {
     const Vec3x8 to_middle = Broadcast(direction_to_sun_);
-    const Float8 cosine = Dot(surface.normal, to_middle);
+    const Float8 cosine = surface.MeanCosine(to_middle);
     const uint32_t facing =
         far & ((cosine > 0.0F) & (Dot(surface.geometric_normal, to_middle) > 0.0F)).Bits();
     if (facing != 0) {
@@ -307,7 +307,7 @@ LightGatherer::FarSurfaces LightGatherer::ShadeFar(
       const Vec3x8 to_sun = lighting_.sun->SampleDirection(first, second);
       shaded.sunlit = facing & ~rays_.Occluded(MakeRayPacket(surface.RayOriginM(), to_sun, facing),
                                                Coherence::kCoherent);
-      const Rgb8 sunlight = (surface.normal_length * cosine) * Broadcast(sun_irradiance_);
+      const Rgb8 sunlight = cosine * Broadcast(sun_irradiance_);
       irradiance = irradiance + Select(Mask8::FromBits(shaded.sunlit), sunlight, Rgb8{});
     }
   }

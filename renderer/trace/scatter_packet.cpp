@@ -13,6 +13,9 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kInversePi = std::numbers::inv_pi_v<float>;
 
+/// Keeps spreads of cosines off zero where they are divided by.
+constexpr float kLeastSpread = 1e-9F;
+
 /// Values of eight lanes that are written one by one and read as one.
 struct alignas(32) Lanes {
   std::array<float, kPacketSize> values{};
@@ -118,8 +121,19 @@ Float8 ScatterPacket::Lambda(Float8 cosine) const {
   return 0.5F * (Sqrt(1.0F + alpha_ * alpha_ * squared_tangent) - 1.0F);
 }
 
+Float8 ScatterPacket::MeanCosine(const Vec3x8& to_light) const {
+  const Float8 cosine = Dot(normal, to_light);
+  const Float8 mean = normal_length * cosine;
+  const Float8 variance =
+      0.5F * Max(1.0F - normal_length * normal_length, 0.0F) * Max(1.0F - cosine * cosine, 0.0F);
+  const Float8 half_spread = Sqrt(3.0F * variance);
+  const Float8 above = mean + half_spread;
+  const Float8 straddling = above * above / (4.0F * Max(half_spread, kLeastSpread));
+  return Select(half_spread > mean, Select(above > 0.0F, straddling, 0.0F), Max(mean, 0.0F));
+}
+
 Rgb8 ScatterPacket::EvaluateDiffuse(const Vec3x8& to_light) const {
-  const Float8 cosine = Max(Dot(normal, to_light), 0.0F);
+  const Float8 cosine = MeanCosine(to_light);
   if (is_specular.Bits() == 0) {
     return cosine * diffuse_;
   }

@@ -22,7 +22,12 @@ class ScatterPacket {
   const Rgb8& DiffuseReflectance() const { return diffuse_reflectance_; }
   const Rgb8& SpecularReflectance() const { return specular_reflectance_; }
 
-  /// BSDF times cosine of the diffuse lobe.
+  /// Mean over the normals under the footprint of their cosines to a direction, 0 where they turn
+  /// away from it: rough walls in grazing light. The cosines are taken as evenly spread about their
+  /// mean, with the variance that the mean normal's length tells, half of it along the light.
+  Float8 MeanCosine(const Vec3x8& to_light) const;
+
+  /// BSDF times cosine of the diffuse lobe, by MeanCosine.
   Rgb8 EvaluateDiffuse(const Vec3x8& to_light) const;
 
   struct Specular {

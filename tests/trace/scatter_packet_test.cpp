@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -48,7 +49,6 @@ struct RandomPacket {
       point.normal = normal.cast<float>();
       point.geometric_normal = point.normal;
       point.position_m = Vec3f(1.0F, -200.0F, 30.0F) * static_cast<float>(random.Uniform());
-      point.normal_length = 0.9F;
       point.emission = Rgb::Constant(static_cast<float>(i));
       point.parameters.base_color = Rgb(0.9F, 0.5F, 0.2F) * static_cast<float>(random.Uniform());
       point.parameters.roughness = static_cast<float>(random.Uniform());
@@ -161,6 +161,65 @@ TEST_P(ScatterPacketOf, RaysStartWhereTheSingleOnesDo) {
         origins_m.x.Values()[lane], origins_m.y.Values()[lane], origins_m.z.Values()[lane]);
     EXPECT_EQ(origin_m, packet.points[lane].RayOriginM());
   }
+}
+
+/// The mean cosine to a light that stands `cosine` above the mean normal.
+float MeanCosineAt(double cosine, float normal_length) {
+  std::array<ShadingPoint, kPacketSize> points;
+  points[0].normal = points[0].geometric_normal = Vec3f::UnitZ();
+  points[0].normal_length = normal_length;
+  RayPacket rays;
+  rays.Set(0, Vec3f::Zero(), -Vec3f::UnitZ());
+  rays.active = 1;
+  const Vec3f to_light =
+      Vec3d(std::sqrt(1.0 - cosine * cosine), 0.0, cosine).cast<float>().normalized();
+  return ScatterPacket(points, 1, rays).MeanCosine(Broadcast(to_light)).Values()[0];
+}
+
+TEST(ScatterPacket, OneNormalHasItsOwnCosine) {
+  for (const double cosine : {-0.7, -0.01, 0.0, 0.01, 0.4, 1.0}) {
+    EXPECT_NEAR(MeanCosineAt(cosine, 1.0F), std::max(0.0, cosine), 1e-6) << cosine;
+  }
+}
+
+TEST(ScatterPacket, NormalsThatSpreadAreLitInPart) {
+  // Normals spread over a spherical cap: by height above the mean normal's horizon all are equally
+  // likely, from 1 down to `least`.
+  for (const double least : {0.9, 0.7}) {
+    const auto mean_length = static_cast<float>(0.5 * (1.0 + least));
+    for (const double cosine : {-0.6, -0.1, 0.0, 0.1, 0.3, 0.6, 1.0}) {
+      const double sine = std::sqrt(1.0 - cosine * cosine);
+      constexpr int kSteps = 400;
+      double sum = 0.0;
+      for (int i = 0; i < kSteps; ++i) {
+        const double z = least + (1.0 - least) * (i + 0.5) / kSteps;
+        for (int k = 0; k < kSteps; ++k) {
+          const double azimuth_rad = 2.0 * std::numbers::pi * (k + 0.5) / kSteps;
+          const double x = std::sqrt(1.0 - z * z) * std::cos(azimuth_rad);
+          sum += std::max(0.0, sine * x + cosine * z);
+        }
+      }
+      const double expected = sum / (kSteps * kSteps);
+      EXPECT_NEAR(MeanCosineAt(cosine, mean_length), expected, 0.012) << least << ' ' << cosine;
+    }
+  }
+}
+
+TEST(ScatterPacket, TheDiffuseLobeTakesTheMeanCosine) {
+  std::array<ShadingPoint, kPacketSize> points;
+  points[0].normal = points[0].geometric_normal = Vec3f::UnitZ();
+  points[0].normal_length = 0.95F;
+  points[0].parameters = {Rgb::Constant(0.5F), 0.0F, 1.0F, 1.0F};
+  RayPacket rays;
+  rays.Set(0, Vec3f::Zero(), -Vec3f::UnitZ());
+  rays.active = 1;
+  const ScatterPacket surface(points, 1, rays);
+  const Vec3x8 grazing = Broadcast(Vec3f(1.0F, 0.0F, 0.0F));
+  const float mean = surface.MeanCosine(grazing).Values()[0];
+  EXPECT_GT(mean, 0.05F);
+  EXPECT_NEAR(surface.EvaluateDiffuse(grazing).r.Values()[0],
+              0.5F * std::numbers::inv_pi_v<float> * mean,
+              1e-6F);
 }
 
 TEST(ScatterPacket, DirectionsBelowTheTriangleAreNoSamples) {
