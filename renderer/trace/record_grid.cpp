@@ -24,8 +24,12 @@ constexpr float kBendToleranceM = static_cast<float>(0.3 * kLeastLiftM);
 /// a recess light falls off so fast that a record there would darken the whole cell.
 constexpr float kRimInCells = 0.2F;
 
-/// Edges shorter than this many spacings need one record across.
-constexpr float kThinInSpacings = 0.5F;
+/// Faces no longer than this many spacings need one record.
+constexpr float kSmallInSpacings = 0.5F;
+
+/// Rows shorter than this many spacings need one record, for they are hardly a pixel wide. Longer
+/// ones have two at least: a strip under a ledge may be bright at its foot and dark at its head.
+constexpr float kThinInSpacings = 0.05F;
 
 }  // namespace
 
@@ -89,7 +93,7 @@ RecordGrid::RecordGrid(const std::array<Vec3f, 3>& corners_m,
   }
 
   const float spacing_m = spacing_at(centre_m, along_m);
-  if (along_m < kThinInSpacings * spacing_m) {
+  if (along_m < kSmallInSpacings * spacing_m) {
     num_records_ = 1;
   } else {
     const float rows = std::clamp(std::ceil(along_m / spacing_m), 1.0F, kMaxRows);

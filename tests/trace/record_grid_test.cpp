@@ -31,9 +31,9 @@ TEST(RecordGrid, StencilsStandForTheirPoint) {
   for (float x = 0.1F; x < 3.9F; x += 0.13F) {
     for (float y = 0.1F; y < 0.9F; y += 0.11F) {
       const bool is_second = x / 4.0F + y > 1.0F;
-      const RecordGrid::Stencil stencil =
-          is_second ? grid.StencilAt(true, 1.0F - x / 4.0F, 1.0F - y)
-                    : grid.StencilAt(false, x / 4.0F, y);
+      const RecordGrid::Stencil stencil = is_second
+                                              ? grid.StencilAt(true, 1.0F - x / 4.0F, 1.0F - y)
+                                              : grid.StencilAt(false, x / 4.0F, y);
       float sum = 0.0F;
       for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
         EXPECT_GT(stencil.weights[i], 0.0F);
@@ -76,6 +76,19 @@ TEST(RecordGrid, SmallFacesHaveOneRecordInTheirMiddle) {
   const RecordGrid grid = Rectangle(10.0F);
   EXPECT_EQ(grid.NumRecords(), 1U);
   EXPECT_LT((grid.PositionM(kCorners_m, 0, 0.0F) - Vec3f(2.0F, 0.5F, 0.0F)).norm(), 1e-5F);
+}
+
+TEST(RecordGrid, StripsHaveRecordsAtBothLongEdges) {
+  // 4 m by 0.2 m of the spacing, and hardly anything.
+  const auto records_of_strip = [](float width_m) {
+    const std::array<Vec3f, 3> corners_m = {Vec3f(0, 0, 0), Vec3f(4, 0, 0), Vec3f(0, width_m, 0)};
+    return RecordGrid(
+               corners_m, std::array<uint8_t, 2>{0, 0}, [](const Vec3f&, float) { return 0.5F; })
+        .NumRecords();
+  };
+  EXPECT_EQ(records_of_strip(0.1F), 2U * 9U);
+  EXPECT_EQ(records_of_strip(0.03F), 2U * 9U);
+  EXPECT_EQ(records_of_strip(0.02F), 9U);
 }
 
 TEST(ParallelogramApexes, BentOnesAreNone) {
