@@ -79,7 +79,9 @@ class Renderer:
 
     def surfaces(self):
         folder = self.render("distance", "distance", {"render.light": "path"})
-        return np.isfinite(images.read_distance(folder / f"distance/{self._arguments.frame:06d}.exr"))
+        distance_m = images.read_distance(folder / f"distance/{self._arguments.frame:06d}.exr")
+        # 0 outside the image circle.
+        return np.isfinite(distance_m) & (distance_m > 0)
 
 
 def bias_squared(cached, paths, mask):
