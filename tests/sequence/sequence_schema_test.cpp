@@ -327,7 +327,7 @@ TEST_F(SequenceSchema, TheShippedSequenceHasTheDefaults) {
   EXPECT_EQ(spec.render, RenderSpec{});
   // A camera that exposes for the street's shade.
   SensorSpec sensor = spec.sensor;
-  EXPECT_EQ(sensor.exposure, 0.05);
+  EXPECT_EQ(sensor.exposure, 0.055);
   sensor.exposure.reset();
   EXPECT_EQ(sensor, SensorSpec{});
   EXPECT_EQ(spec.ground_truth, GroundTruthSpec{});
