@@ -55,8 +55,7 @@ TEST(VisibleSpectrum, HasRedLongGreenInTheMiddleAndBlueShort) {
 }
 
 TEST(VisibleSpectrum, HasTheWeightsOfTheTabulatedObserver) {
-  // CIE 1931 colour matching functions (CIE 015, table 4) from 410 nm in steps of 20 nm: the
-  // middles of 15 intervals.
+  // The CIE 1931 standard observer from 410 nm in steps of 20 nm: the middles of 15 intervals.
   const std::array<Vec3d, 15> observer = {{{0.04351, 0.00121, 0.20740},
                                            {0.28390, 0.01160, 1.38560},
                                            {0.33620, 0.03800, 1.77211},

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Blurred pictures of a small lamp, measured against the closed form of its way over the image.
-#include "renderer/blur_vectors.h"
 #include "tests/renderer/two_boxes.h"
 #include "tests/support/driving.h"
 
@@ -187,30 +186,6 @@ TEST(MotionBlur, OfTheReferenceTracerIsTheSame) {
   EXPECT_NEAR(trail.sigma_px.x() / reference.sigma_px.x(), 1.0, 0.02);
   EXPECT_LT((trail.mean_px - reference.mean_px).norm(), 0.1);
   EXPECT_NEAR(trail.light / reference.light, 1.0, 0.02);
-}
-
-TEST(BlurVectors, AreTheWayInTheImage) {
-  const Driving drive(12.0, 0.0);
-  const Stage stage({0.0F, 0.0F}, drive, {.exposure_s = kExposureS});
-  const auto camera_at = [&](double time_s) { return drive.WorldFromRig(time_s); };
-  const Image<float> vectors =
-      RenderBlurVectors(stage.two_boxes.Rays(), stage.raster, camera_at, kExposureS, 2);
-  // The lamp goes back at 1.2 m in 4 m.
-  EXPECT_NEAR(vectors.At(kSizePx / 2, kSizePx / 2, 0), -kFocalPx * 1.2 / kHeightM, 0.01);
-  EXPECT_NEAR(vectors.At(kSizePx / 2, kSizePx / 2, 1), 0.0, 0.01);
-  // The sky stands still.
-  EXPECT_NEAR(vectors.At(kSizePx / 2 + 30, kSizePx / 2, 0), 0.0, 1e-4);
-  EXPECT_EQ(vectors.At(0, 0, 0), 0.0F);
-  // ... but when the camera turns: by 0.2 rad against it at 30.5 px from the middle.
-  const Driving turn(0.0, 2.0);
-  const Image<float> turning = RenderBlurVectors(
-      stage.two_boxes.Rays(),
-      stage.raster,
-      [&](double time_s) { return turn.WorldFromRig(time_s); },
-      kExposureS,
-      2);
-  EXPECT_NEAR(turning.At(kSizePx / 2 + 30, kSizePx / 2, 1), -0.2 * 30.5, 0.01);
-  EXPECT_NEAR(turning.At(kSizePx / 2 + 30, kSizePx / 2, 0), 0.2 * 0.5, 0.01);
 }
 
 }  // namespace
