@@ -38,37 +38,11 @@ TEST_F(CameraSchema, OpticsAndLensesMayBeFilesOfTheirOwn) {
   EXPECT_EQ(ErrorOf(text).find("my.yaml:1: optics.blur.centre_px: "), 0U) << ErrorOf(text);
 }
 
-TEST_F(CameraSchema, EachShippedOpticsTurnsOnItsOwnEffect) {
-  const auto read = [&](const std::string& name) {
-    return Read(kSmall, {"optics=" + (kData / "optics" / (name + ".yaml")).string()}).optics;
-  };
-  EXPECT_FALSE(read("off").IsOn());
-  for (const std::string name : {"lateral_color", "axial_color", "dispersion", "blur", "defocus"}) {
-    const OpticsSpec optics = read(name);
-    EXPECT_TRUE(optics.HasPointSpread()) << name;
-    EXPECT_FALSE(optics.HasFalloff() || optics.HasGlare() || optics.HasFlare()) << name;
-  }
-  for (const std::string name : {"vignetting", "rim", "glare", "sun_star", "ghosts"}) {
-    const OpticsSpec optics = read(name);
-    EXPECT_EQ(optics.HasFalloff() + optics.HasGlare() + optics.HasFlare(), 1) << name;
-    EXPECT_FALSE(optics.HasPointSpread()) << name;
-  }
-  for (const std::string name : {"pfseq", "strong"}) {
-    const OpticsSpec optics = read(name);
-    EXPECT_TRUE(optics.HasPointSpread() && optics.HasFalloff() && optics.HasGlare() &&
-                optics.HasFlare())
-        << name;
-  }
-}
-
 TEST_F(CameraSchema, RefusesCamerasThatCannotBe) {
   EXPECT_EQ(ErrorOf(kSmall, {"sensor.bits=12"}), "--set sensor.bits=12: expected 8 or 16, got 12");
   EXPECT_NE(ErrorOf(kSmall, {"sensor.bits=16", "sensor.jpeg_quality=90"}).find("JPEG has 8"),
             std::string::npos);
   EXPECT_NE(ErrorOf(kSmall, {"sensor.read_noise_electrons=2"}).find("without white_electrons"),
-            std::string::npos);
-  EXPECT_NE(ErrorOf(kSmall, {"optics.aperture_blades=0", "optics.sun_star.strength=0.1"})
-                .find("expected at least 2 for a sun star, got 0"),
             std::string::npos);
   EXPECT_EQ(ErrorOf(kSmall, {"shutter.readout=sideways"})
                 .find("--set shutter.readout=sideways: expected "),

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace pfseq {
@@ -39,6 +40,57 @@ class SchemaTest : public testing::Test {
     const std::string message = MessageOf<InputError>([&] { Read(text, overrides); });
     const std::string folder = folder_.Path().string() + "/";
     return message.find(folder) == 0 ? message.substr(folder.size()) : message;
+  }
+
+  /// Expects a key to take numbers in [least, most], up to the ends, and to refuse the next ones in
+  /// a line that names it.
+  void ExpectRange(const std::string& key, double least, double most) {
+    ExpectEnds(key,
+               {least, most},
+               {least - kBeyond, most + kBeyond},
+               fmt::format("a number from {} to {}", least, most));
+  }
+
+  /// The same of numbers in (0, most]; `others` are overrides of other keys that go with them.
+  void ExpectAbove0(const std::string& key,
+                    double most,
+                    const std::vector<std::string>& others = {}) {
+    ExpectEnds(key,
+               {kBeyond, most},
+               {0.0, most + kBeyond},
+               fmt::format("a number > 0 and <= {}", most),
+               others);
+  }
+
+  /// The same of whole numbers in [least, most].
+  void ExpectWholeRange(const std::string& key, double least, double most) {
+    ExpectEnds(key,
+               {least, most},
+               {least - 1.0, most + 1.0, least + 0.5},
+               fmt::format("a whole number from {} to {}", least, most));
+  }
+
+  static constexpr double kBeyond = 1e-6;
+
+  void ExpectEnds(const std::string& key,
+                  const std::vector<double>& taken,
+                  const std::vector<double>& refused,
+                  const std::string& expected,
+                  const std::vector<std::string>& others = {}) {
+    std::vector<SequenceSpec> specs;
+    for (const double value : taken) {
+      std::vector<std::string> overrides = others;
+      overrides.push_back(fmt::format("{}={}", key, value));
+      specs.push_back(Read(kSmall, overrides));
+      EXPECT_EQ(Read(CanonicalYaml(specs.back())), specs.back()) << overrides.back();
+    }
+    EXPECT_NE(specs.front(), specs.back()) << key;
+    for (const double value : refused) {
+      std::vector<std::string> overrides = others;
+      overrides.push_back(fmt::format("{}={}", key, value));
+      EXPECT_EQ(ErrorOf(kSmall, overrides),
+                fmt::format("--set {}: expected {}, got {}", overrides.back(), expected, value));
+    }
   }
 
   TempFolder folder_;

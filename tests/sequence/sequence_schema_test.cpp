@@ -19,6 +19,7 @@ TEST_F(SequenceSchema, FillsInAllDefaults) {
   EXPECT_EQ(spec.render, RenderSpec{});
 }
 
+// Trajectory, scene and optics have tests of their own.
 TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
   const SequenceSpec spec = Read(
       "name: every key\n"
@@ -32,17 +33,6 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
       "  cameras:\n"
       "    z: {position_m: [1, 2, 3], rotation_xzy_deg: [4, 5, 6]}\n"
       "    y: {}\n"
-      "trajectory:\n"
-      "  drive: {first_street_m: 1, cross_street_m: 2, last_street_m: 3, corner_radius_m: 4, turn: "
-      "right,\n"
-      "          cruise_speed_mps: 6, corner_speed_mps: 5, acceleration_mps2: 7, stop_s: 8}\n"
-      "  num_frames: 9\n"
-      "  frame_rate_hz: 10\n"
-      "  height_m: 11\n"
-      "scene:\n"
-      "  canyon: {seed: 12, street_width_m: [13, 14], building_height_m: [15, 16], detail: 1.7, "
-      "relief: 0.6, small_panes: 0.3, rubble: 0.7,\n"
-      "           pitched_roof_share: 0.18, surrounding_blocks: 19}\n"
       "light:\n"
       "  sun: {elevation_deg: 20, azimuth_deg: 21, angular_diameter_deg: 2.2, strength: 23}\n"
       "  sky: {model: constant, turbidity: 2.4, clouds: {share: 0.24, seed: 34}, radiance: [25, "
@@ -52,22 +42,6 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
       "render: {light: path, light_quality: 3.5, seed: 29, samples: 30, max_samples: 36, "
       "max_bounces: 31, min_indirect_roughness: 0.37}\n"
       "shutter: {exposure_s: 0.38, ramp: 0.39, offset_s: -0.4, readout_s: 0.41, readout: left}\n"
-      "optics:\n"
-      "  image_width_px: 1000\n"
-      "  lateral_color: {rim_px: -4.2, cubic: 0.43}\n"
-      "  axial_color_sigma_px: 4.4\n"
-      "  dispersion_sigma_px: 4.5\n"
-      "  blur: {center_sigma_px: 4.6, rim_sigma_px: [4.7, 4.8]}\n"
-      "  defocus_px: 4.9\n"
-      "  vignetting: {natural: 0.50, mechanical: 0.51, mechanical_start: 0.52}\n"
-      "  rim: {width_px: 53, reach: [0.54, 0.55, 0.56]}\n"
-      "  glare: {bloom: 0.057, bloom_radius_px: 58, veil: 0.059}\n"
-      "  aperture_blades: 9\n"
-      "  aperture_rotation_deg: 60\n"
-      "  sun_star: {strength: 0.061, length_px: 62, width_px: 6.3}\n"
-      "  ghosts:\n"
-      "    one: {position: 0.64, radius_px: 65, strength: [0.066, 0.067, 0.068], hollow: 0.69}\n"
-      "    two: {}\n"
       "sensor: {exposure: 32, metering: frame, tone_curve: clip, encoding: linear, "
       "white_electrons: 7000, read_noise_electrons: 7.1, mosaic: gbrg, color: grey, bits: 8, "
       "jpeg_quality: 72}\n"
@@ -88,19 +62,6 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
   pinhole.focal_px = {200.0, 200.0};
   expected.lenses = {{"b", polynomial}, {"a", pinhole}};
   expected.cameras = {{"z", {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}}, {"y", {}}};
-  expected.trajectory.drive = {1.0, 2.0, 3.0, 4.0, "right", 6.0, 5.0, 7.0, 8.0};
-  expected.trajectory.num_frames = 9;
-  expected.trajectory.frame_rate_hz = 10.0;
-  expected.trajectory.height_m = 11.0;
-  expected.scene.canyon.seed = 12;
-  expected.scene.canyon.street_width_m = {13.0, 14.0};
-  expected.scene.canyon.building_height_m = {15.0, 16.0};
-  expected.scene.canyon.detail = 1.7;
-  expected.scene.canyon.relief = 0.6;
-  expected.scene.canyon.small_panes = 0.3;
-  expected.scene.canyon.rubble = 0.7;
-  expected.scene.canyon.pitched_roof_share = 0.18;
-  expected.scene.canyon.surrounding_blocks = 19;
   expected.light.sun = SunSpec{
       .elevation_deg = 20.0, .azimuth_deg = 21.0, .angular_diameter_deg = 2.2, .strength = 23.0};
   expected.light.sky = {.model = "constant",
@@ -117,19 +78,6 @@ TEST_F(SequenceSchema, ReadsEveryKeyIntoItsMember) {
                      .max_bounces = 31,
                      .min_indirect_roughness = 0.37};
   expected.shutter = {0.38, 0.39, -0.4, 0.41, "left"};
-  expected.optics = {.image_width_px = 1000,
-                     .lateral_color = {-4.2, 0.43},
-                     .axial_color_sigma_px = 4.4,
-                     .dispersion_sigma_px = 4.5,
-                     .blur = {4.6, {4.7, 4.8}},
-                     .defocus_px = 4.9,
-                     .vignetting = {0.50, 0.51, 0.52},
-                     .rim = {53.0, {0.54, 0.55, 0.56}},
-                     .glare = {0.057, 58.0, 0.059},
-                     .aperture_blades = 9,
-                     .aperture_rotation_deg = 60.0,
-                     .sun_star = {0.061, 62.0, 6.3},
-                     .ghosts = {{"one", {0.64, 65.0, {0.066, 0.067, 0.068}, 0.69}}, {"two", {}}}};
   expected.sensor = {32.0, "frame", "clip", "linear", 7000.0, 7.1, "gbrg", "grey", 8, 72};
   expected.ground_truth = {33.0};
   EXPECT_EQ(spec, expected);
@@ -250,18 +198,6 @@ TEST_F(SequenceSchema, RefusesWrongValuesWithTheirLine) {
             "--set image.size_px=-3: expected a whole number from 1 to 32768, got -3");
   EXPECT_EQ(ErrorOf(small + "light: {sky: {radiance: [1, .nan, 1]}}\n"),
             "demo.yaml:6: light.sky.radiance: expected a number from 0 to 1000000, got .nan");
-  EXPECT_EQ(ErrorOf(small + "scene: {canyon: {}, gltf: a.glb}\n"),
-            "demo.yaml:6: scene.gltf: expected either this or canyon, got both");
-  EXPECT_EQ(ErrorOf(small + "scene:\n  canyon:\n    street_width_m: [18, 12]\n"),
-            "demo.yaml:8: scene.canyon.street_width_m: expected the least first, got [18, 12]");
-  EXPECT_EQ(ErrorOf(small + "trajectory:\n  drive:\n    corner_speed_mps: 10\n"),
-            "demo.yaml:8: trajectory.drive.corner_speed_mps: expected at most cruise_speed_mps "
-            "(9), got 10");
-  EXPECT_EQ(
-      ErrorOf(small + "trajectory:\n  num_frames: 0\n"),
-      "demo.yaml:7: trajectory.num_frames: expected at least 1 without a trajectory file, got 0");
-  EXPECT_EQ(ErrorOf(small + "trajectory: {tum: a.txt, csv: b.csv}\n"),
-            "demo.yaml:6: trajectory.csv: expected either this or tum, got both");
 }
 
 TEST_F(SequenceSchema, OverridesReplaceTheAlternativeInTheFile) {
@@ -279,13 +215,6 @@ TEST_F(SequenceSchema, PathsStartAtTheFilesFolder) {
       Read(std::string(kSmall) + "scene: {gltf: sub/../a.glb}\ntrajectory: {tum: p.txt}\n");
   EXPECT_EQ(spec.scene.gltf, (folder_.Path() / "a.glb").string());
   EXPECT_EQ(spec.trajectory.tum, (folder_.Path() / "p.txt").string());
-}
-
-TEST_F(SequenceSchema, ATrajectoryFileGivesItsOwnNumberOfFrames) {
-  EXPECT_EQ(Read(std::string(kSmall) + "trajectory: {csv: p.csv}\n").trajectory.num_frames, 0);
-  EXPECT_EQ(
-      Read(std::string(kSmall) + "trajectory: {csv: p.csv, num_frames: 5}\n").trajectory.num_frames,
-      5);
 }
 
 TEST_F(SequenceSchema, AcceptsAnotherVersionsFile) {
