@@ -133,6 +133,18 @@ inline Bounds BoundsOfScene(const Scene& scene) {
   return bounds;
 }
 
+/// The part of a scene that has one material.
+inline Scene PartOf(const Scene& scene, int material_idx) {
+  Scene part;
+  part.materials = scene.materials;
+  for (const Mesh& mesh : scene.meshes) {
+    if (mesh.material_idx == material_idx) {
+      part.meshes.push_back(mesh);
+    }
+  }
+  return part;
+}
+
 /// A house of 14 x 11 m with its street to the south, along X.
 inline Building RowHouse(const Palette& palette, FacadeStyle style, uint64_t seed, double detail) {
   Lot lot;

@@ -4,10 +4,6 @@
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
 #include "renderer/sequence/image_io.h"
-#include "renderer/trace/ray_scene.h"
-#include "scenes/canyon/photo_front.h"
-#include "tests/scenes/canyon/canyon_test_support.h"
-#include "tests/scenes/canyon/surface_checks.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
 
@@ -107,34 +103,6 @@ TEST_F(FacadePhotosTest, ChoosesOnesOfAboutTheHeightWanted) {
   EXPECT_EQ(ChoosePhoto(photos, 11.0, 1), photos.photos[0]);
   EXPECT_EQ(ChoosePhoto(photos, 20.0, 1), nullptr);
   EXPECT_EQ(ChoosePhoto(photos, 6.0, 1), nullptr);
-}
-
-TEST_F(FacadePhotosTest, FrontIsClosedWithItsWindowsSetBack) {
-  const FacadePhotos photos = ReadFacadePhotos(Write(kGood));
-  PartBench bench;
-  WallPaintings paintings(bench.palette, 0.05);
-  BuildContext context = bench.Context();
-  context.paintings = &paintings;
-  Building house;
-  house.photo = photos.photos[0];
-  house.eave_m = 10.0 + kKerbHeight_m - 0.02;
-  BuildPhotoFront(context, house, SurfaceFrame(), 20.0, 8.0);
-  paintings.Finish(bench.palette);
-  const Scene scene = bench.TakeScene();
-  const SurfaceFaults holes = FindHoles(scene, 20.0, kKerbHeight_m, house.eave_m);
-  EXPECT_TRUE(holes.texts.empty()) << holes.texts.front();
-  EXPECT_TRUE(FindOverlaps(scene).texts.empty());
-  const RayScene rays(std::make_shared<const Scene>(scene));
-  // Mirrored or not, a window is on one of these two places.
-  int num_recessed = 0;
-  for (const double u : {6.0, 10.0, 14.0}) {
-    const auto hit = rays.Intersect(Vec3d(u, -5.0, 6.1), Vec3d::UnitY());
-    ASSERT_TRUE(hit);
-    num_recessed += std::abs(hit->distance_m - 5.2) < 1e-3 ? 1 : 0;
-  }
-  EXPECT_EQ(num_recessed, 2);
-  const auto wall = rays.Intersect(Vec3d(10.0, -5.0, 1.0), Vec3d::UnitY());
-  EXPECT_NEAR(wall->distance_m, 5.0, 1e-4);
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/canyon/street_life.h"
 
-#include "renderer/trace/ray_scene.h"
-#include "scenes/canyon/roof_props.h"
 #include "scenes/canyon/street_props.h"
 #include "scenes/canyon/tree.h"
 #include "scenes/canyon/vehicle.h"
@@ -15,27 +13,6 @@
 
 namespace pfseq {
 namespace {
-
-/// Rays at a thing from all around and above.
-SurfaceFaults BacksOf(const Scene& scene) {
-  const RayScene rays(std::make_shared<const Scene>(scene));
-  const Bounds bounds = BoundsOfScene(scene);
-  const Vec3d center_m = 0.5 * (bounds.low_m + bounds.high_m).cast<double>();
-  SurfaceFaults faults;
-  RandomStream random({8});
-  for (int i = 0; i < 20000; ++i) {
-    const Vec3d target_m =
-        center_m + 0.5 * Vec3d(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1))
-                             .cwiseProduct((bounds.high_m - bounds.low_m).cast<double>());
-    const Vec3d back = RandomDirection(random, 0.02);
-    const auto hit = rays.Intersect(Vec3d(target_m + 30.0 * back), -back);
-    ++faults.num_checked;
-    if (hit && hit->geometric_normal.dot(back) < 0.0 && !IsSheet(scene.meshes[hit->mesh_idx])) {
-      faults.texts.push_back(scene.meshes[hit->mesh_idx].name);
-    }
-  }
-  return faults;
-}
 
 TEST(Vehicle, IsClosedOnItsWheelsAndAsLargeAsItSays) {
   for (const VehicleKind kind : {VehicleKind::kHatchback,
@@ -54,7 +31,7 @@ TEST(Vehicle, IsClosedOnItsWheelsAndAsLargeAsItSays) {
     EXPECT_NEAR(bounds.high_m.y() - bounds.low_m.y(), VehicleSize(kind).y(), 0.45);
     EXPECT_LT(AreaVectorSum(scene).norm(), 1e-3);
     EXPECT_GT(SignedVolume(scene), 3.0);
-    const SurfaceFaults backs = BacksOf(scene);
+    const SurfaceFaults backs = FindBacksFrom(Vec3d::UnitZ(), scene);
     EXPECT_TRUE(backs.texts.empty())
         << static_cast<int>(kind) << ": " << backs.texts.size() << " " << backs.texts.front();
   }
@@ -104,19 +81,12 @@ TEST(StreetProps, ShowNoBackFacesAndStandOnThePavement) {
     RandomStream random({4, i});
     builders[i](bench.Context(), SurfaceFrame(), random);
     const Scene scene = bench.TakeScene();
-    const SurfaceFaults backs = BacksOf(scene);
+    const SurfaceFaults backs = FindBacksFrom(Vec3d::UnitZ(), scene);
     EXPECT_TRUE(backs.texts.empty())
         << i << ": " << backs.texts.size() << " " << backs.texts.front();
     EXPECT_NEAR(BoundsOfScene(scene).low_m.z(), -0.015, 0.015) << i;
     EXPECT_TRUE(FindDegenerate(scene).texts.empty()) << i;
   }
-}
-
-TEST(Roofline, AntennasShowNoBackFaces) {
-  PartBench bench;
-  RandomStream random({4});
-  BuildAntenna(bench.Context(), Vec3d::Zero(), random);
-  EXPECT_TRUE(BacksOf(bench.TakeScene()).texts.empty());
 }
 
 CanyonStats StatsOf(double street_life) {
@@ -139,16 +109,6 @@ TEST(StreetLife, ComesInTheAmountAskedFor) {
   EXPECT_GT(much.num_trees, 10);
   EXPECT_GT(much.num_wires, some.num_wires);
   EXPECT_GT(much.num_signs, some.num_signs);
-}
-
-TEST(StreetLife, WiresHangHighOverTheStreet) {
-  PartBench bench;
-  const StreetPlan plan = PlanStreets({}, {});
-  HangWires(bench.Context(), plan, 3);
-  const Scene scene = bench.TakeScene();
-  ASSERT_FALSE(scene.meshes.empty());
-  EXPECT_GT(BoundsOfScene(scene).low_m.z(), 4.5F);
-  EXPECT_LT(BoundsOfScene(scene).high_m.z(), 9.8F);
 }
 
 }  // namespace

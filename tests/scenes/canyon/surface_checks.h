@@ -4,6 +4,7 @@
 
 #include "renderer/core/random.h"
 #include "renderer/trace/ray_scene.h"
+#include "tests/scenes/canyon/canyon_test_support.h"
 
 #include <algorithm>
 #include <array>
@@ -83,6 +84,50 @@ inline SurfaceFaults FindBackFaces(const RayScene& rays,
                         origin_m.y(),
                         origin_m.z()));
       }
+    }
+  }
+  return faults;
+}
+
+/// Rays at all of a thing, from everywhere on one side of it, that meet the back of one of its
+/// surfaces first. `hiding` is what it stands or hangs on, where it need not be closed.
+inline SurfaceFaults FindBacksFrom(const Vec3d& side,
+                                   const Scene& scene,
+                                   const Scene& hiding = {}) {
+  auto both = std::make_shared<Scene>(scene);
+  both->meshes.insert(both->meshes.end(), hiding.meshes.begin(), hiding.meshes.end());
+  const RayScene rays(both);
+  const Bounds bounds = BoundsOfScene(scene);
+  const Vec3d center_m = 0.5 * (bounds.low_m + bounds.high_m).cast<double>();
+  /// The mesh whose back is seen.
+  const auto back_seen = [&](const Vec3d& target_m, const Vec3d& back) -> const Mesh* {
+    const auto hit = rays.Intersect(Vec3d(target_m + 30.0 * back), -back);
+    if (!hit || hit->mesh_idx >= scene.meshes.size() || hit->geometric_normal.dot(back) >= 0.0) {
+      return nullptr;
+    }
+    const Mesh& mesh = scene.meshes[hit->mesh_idx];
+    return IsSheet(mesh) ? nullptr : &mesh;
+  };
+  SurfaceFaults faults;
+  RandomStream random({8});
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3d target_m =
+        center_m + 0.5 * Vec3d(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1))
+                             .cwiseProduct((bounds.high_m - bounds.low_m).cast<double>());
+    Vec3d back = RandomDirection(random, -1.0);
+    if (back.dot(side) < 0.0) {
+      back = -back;
+    }
+    if (back.dot(side) < 0.02) {
+      continue;
+    }
+    ++faults.num_checked;
+    const Mesh* mesh = back_seen(target_m, back);
+    // On an edge, both its faces are equally far: what is beside it counts.
+    const Vec3d beside_m = 2e-4 * back.unitOrthogonal();
+    if (mesh != nullptr && back_seen(target_m + beside_m, back) != nullptr &&
+        back_seen(target_m - beside_m, back) != nullptr) {
+      faults.texts.push_back(mesh->name);
     }
   }
   return faults;
