@@ -14,11 +14,15 @@ namespace {
 /// Things on roofs begin this far below the roof's surface.
 constexpr double kSunk_m = 0.03;
 
-/// A dish that looks up and to the street: a shallow cone of sheet on an arm, both sides built.
-void BuildDish(const BuildContext& context, const SurfaceFrame& frame, double radius_m) {
+/// A dish that looks up and to the street: a shallow cone of sheet on an arm of this length, both
+/// sides built.
+void BuildDish(const BuildContext& context,
+               const SurfaceFrame& frame,
+               double arm_m,
+               double radius_m) {
   MeshBuilder& builder = context.builder;
   const int metal = context.palette.pale_metal;
-  AddBox(builder, metal, frame, {-0.02, -0.5, -0.02}, {0.02, 0.02, 0.02}, kFacesSides | kFaceTop);
+  AddBox(builder, metal, frame, {-0.02, -arm_m, -0.02}, {0.02, 0.02, 0.02}, kFacesSides | kFaceTop);
   const Vec3d axis = (frame.out + 0.7 * frame.up + 0.5 * frame.right).normalized();
   const Vec3d side = axis.cross(Vec3d::UnitZ()).normalized();
   const Vec3d up = side.cross(axis);
@@ -229,8 +233,10 @@ void BuildRoofline(const BuildContext& context,
     }
     for (int i = own.Integer(0, 2); is_flat && i > 0; --i) {
       const double u = own.Uniform(1.2, std::max(1.3, width_m - 1.2));
-      const SurfaceFrame at = front.MovedTo(u, 0.45, own.Uniform(-0.9, -0.5));
-      BuildDish(context, at.MovedTo(0.0, is_flat ? 0.0 : 0.2, 0.0), own.Uniform(0.28, 0.45));
+      constexpr double kAboveParapet_m = 0.45;
+      const SurfaceFrame at = front.MovedTo(u, kAboveParapet_m, own.Uniform(-0.9, -0.5));
+      BuildDish(
+          context, at, kAboveParapet_m + building.roof_rise_m + kSunk_m, own.Uniform(0.28, 0.45));
       BuildAntenna(context,
                    front.At(own.Uniform(1.0, width_m - 1.0),
                             -building.roof_rise_m - kSunk_m,

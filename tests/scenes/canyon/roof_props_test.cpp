@@ -276,5 +276,33 @@ TEST(RooflineProps, ShowNoBackFacesToTheStreet) {
   }
 }
 
+TEST(RooflineProps, MastsAndArmsStandOnTheRoof) {
+  int num_uprights = 0;
+  for (uint64_t seed = 0; seed < 60; ++seed) {
+    // Hardly any stacks, on which there may be antennas as well.
+    const Roofline roofline(seed, RoofKind::kFlat, 1e-3);
+    if (roofline.bench.stats.num_chimneys > 0) {
+      continue;
+    }
+    const double roof_m = roofline.house.eave_m - roofline.house.roof_rise_m;
+    for (const Mesh& mesh : PartOf(roofline.scene, roofline.bench.palette.pale_metal).meshes) {
+      for (const auto& corners : mesh.triangles) {
+        std::array<Vec3d, 3> at_m;
+        for (size_t i = 0; i < 3; ++i) {
+          at_m[i] = mesh.positions_m[corners[i]].cast<double>();
+        }
+        const auto [low_m, high_m] = std::minmax({at_m[0].z(), at_m[1].z(), at_m[2].z()});
+        const Vec3d normal = (at_m[1] - at_m[0]).cross(at_m[2] - at_m[0]).normalized();
+        if (std::abs(normal.z()) < 1e-3 && high_m - low_m > 0.3) {
+          ++num_uprights;
+          EXPECT_LT(low_m, roof_m) << seed;
+          EXPECT_GT(low_m, roof_m - 0.1) << seed;
+        }
+      }
+    }
+  }
+  EXPECT_GT(num_uprights, 100);
+}
+
 }  // namespace
 }  // namespace pfseq
