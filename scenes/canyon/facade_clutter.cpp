@@ -3,6 +3,7 @@
 
 #include "scenes/canyon/canyon_textures.h"
 #include "scenes/canyon/shapes.h"
+#include "scenes/canyon/street_plan.h"
 
 #include <algorithm>
 #include <array>
@@ -149,7 +150,7 @@ void BuildHangingSign(const BuildContext& context,
                       RandomStream& random) {
   MeshBuilder& builder = context.builder;
   ++context.stats.num_signs;
-  const double low_m = std::max(2.75, head_m - 1.3);
+  const double low_m = std::max(kKerbHeight_m + 2.7, head_m - 1.3);
   const double high_m = low_m + random.Uniform(0.55, 0.95);
   const double out_m = random.Uniform(0.55, 0.85);
   constexpr double kGap_m = 0.14;

@@ -15,7 +15,8 @@ void BuildWindowClutter(const BuildContext& context,
                         bool has_balcony,
                         RandomStream& random);
 
-/// A board or a box that stands out over the pavement, its lower edge 2.7 m above it.
+/// A board that stands out over the pavement, its lower edge at least 2.7 m above it. The facade's
+/// origin is at the level of the carriageway.
 void BuildHangingSign(const BuildContext& context,
                       const SurfaceFrame& facade,
                       double along_m,

@@ -191,6 +191,19 @@ struct HangingSign {
   Scene scene;
 };
 
+TEST(HangingSign, LeavesHeadRoomOverThePavement) {
+  for (const double head_m : {2.0, 3.0, 3.8, 4.2, 6.0}) {
+    for (uint64_t seed = 0; seed < 20; ++seed) {
+      const HangingSign sign(head_m, seed);
+      const Bounds bounds = BoundsOfScene(sign.scene);
+      EXPECT_GE(bounds.low_m.z(), kKerbHeight_m + 2.7 - 1e-5) << head_m;
+      // Where there is room, it hangs beside the head of the shop's front.
+      EXPECT_LT(bounds.low_m.z(), std::max(head_m, 2.9)) << head_m;
+      EXPECT_EQ(sign.bench.stats.num_signs, 1);
+    }
+  }
+}
+
 TEST(HangingSign, IsAClosedBoardHeldByTheWall) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const HangingSign sign(4.0, seed);
