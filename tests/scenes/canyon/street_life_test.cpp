@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/canyon/street_life.h"
 
-#include "scenes/canyon/street_props.h"
 #include "scenes/canyon/tree.h"
 #include "scenes/canyon/vehicle.h"
 #include "tests/scenes/canyon/canyon_test_support.h"
 #include "tests/scenes/canyon/surface_checks.h"
-
-#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -58,35 +55,6 @@ TEST(Tree, KeepsItsLeavesInItsCrown) {
   }
   EXPECT_GT(num_leaves, 800U);
   EXPECT_TRUE(FindDegenerate(scene).texts.empty());
-}
-
-using PropBuilder = std::function<void(const BuildContext&, const SurfaceFrame&, RandomStream&)>;
-
-TEST(StreetProps, ShowNoBackFacesAndStandOnThePavement) {
-  const std::vector<PropBuilder> builders = {
-      [](const BuildContext& context, const SurfaceFrame& frame, RandomStream&) {
-        BuildLampPost(context, frame, 7.0);
-      },
-      [](const BuildContext& context, const SurfaceFrame& frame, RandomStream&) {
-        BuildBollard(context, frame);
-      },
-      BuildTrafficLight,
-      BuildSignPost,
-      BuildPerson,
-      BuildAdvertisingColumn,
-      BuildBusShelter,
-      BuildCabinet};
-  for (size_t i = 0; i < builders.size(); ++i) {
-    PartBench bench;
-    RandomStream random({4, i});
-    builders[i](bench.Context(), SurfaceFrame(), random);
-    const Scene scene = bench.TakeScene();
-    const SurfaceFaults backs = FindBacksFrom(Vec3d::UnitZ(), scene);
-    EXPECT_TRUE(backs.texts.empty())
-        << i << ": " << backs.texts.size() << " " << backs.texts.front();
-    EXPECT_NEAR(BoundsOfScene(scene).low_m.z(), -0.015, 0.015) << i;
-    EXPECT_TRUE(FindDegenerate(scene).texts.empty()) << i;
-  }
 }
 
 CanyonStats StatsOf(double street_life) {

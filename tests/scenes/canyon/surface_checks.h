@@ -133,6 +133,29 @@ inline SurfaceFaults FindBacksFrom(const Vec3d& side,
   return faults;
 }
 
+/// Edges of upright pictures that do not read from left to right and from top to bottom.
+inline SurfaceFaults FindMirrored(const Scene& pictures) {
+  SurfaceFaults faults;
+  for (const Mesh& mesh : pictures.meshes) {
+    for (const auto& corners : mesh.triangles) {
+      const auto edge_m = [&](size_t i) -> Vec3f {
+        return mesh.positions_m[corners[(i + 1) % 3]] - mesh.positions_m[corners[i]];
+      };
+      const Vec3f right = Vec3f::UnitZ().cross(edge_m(0).cross(edge_m(1)).normalized());
+      for (size_t i = 0; i < 3; ++i) {
+        const Vec2f step = mesh.texcoords.at(corners[(i + 1) % 3]) - mesh.texcoords.at(corners[i]);
+        ++faults.num_checked;
+        // v grows downwards.
+        if (step.x() * edge_m(i).dot(right) < 0.0F || step.y() * edge_m(i).z() > 0.0F ||
+            step.norm() == 0.0F) {
+          faults.texts.push_back(mesh.name);
+        }
+      }
+    }
+  }
+  return faults;
+}
+
 /// A triangle in a plane, seen along the axis that the plane faces most.
 struct FlatTriangle {
   std::array<Vec2d, 3> corners_m;
