@@ -7,7 +7,7 @@
 
 namespace pfseq {
 
-/// What people fix to their windows: a box of flowers, an air conditioner, a dish, a flag, washing;
+/// What people fix to their windows: a box of flowers, an air conditioner or a flag;
 /// mostly nothing.
 void BuildWindowClutter(const BuildContext& context,
                         const SurfaceFrame& facade,

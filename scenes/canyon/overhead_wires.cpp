@@ -20,7 +20,7 @@ constexpr double kWidestSpan_m = 30.0;
 /// Wires end this far within the wall they are fixed to.
 constexpr double kInWall_m = 0.12;
 
-/// A wire of three sides from point to point, closed at both ends.
+/// A wire of three sides from point to point, open at its ends, which are in walls or far off.
 void AddWire(const BuildContext& context, const std::vector<Vec3d>& points_m, double radius_m) {
   MeshBuilder& builder = context.builder;
   const int material = context.palette.wire;

@@ -7,7 +7,7 @@
 #include "renderer/frame_renderer.h"
 #include "renderer/lens/lens.h"
 #include "renderer/lens/lens_raster.h"
-#include "tests/trace/lit_scene.h"
+#include "tests/trace/gathered_scene.h"
 #include "tests/trace/shapes.h"
 
 #include <memory>

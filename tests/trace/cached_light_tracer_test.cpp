@@ -2,7 +2,7 @@
 // Radiance by stored light where it is known in closed form.
 #include "renderer/trace/cached_light_tracer.h"
 
-#include "tests/trace/lit_scene.h"
+#include "tests/trace/gathered_scene.h"
 #include "tests/trace/shapes.h"
 
 #include <array>
@@ -54,7 +54,7 @@ struct TracedScene {
     return sum / static_cast<float>((num_samples + 3) / 4 * 4);
   }
 
-  LitScene lit;
+  GatheredScene lit;
   LightStore store;
   CachedLightTracer tracer;
 };

@@ -2,7 +2,7 @@
 // Places whose irradiance is known in closed form.
 #include "renderer/trace/light_gatherer.h"
 
-#include "tests/trace/lit_scene.h"
+#include "tests/trace/gathered_scene.h"
 #include "tests/trace/shapes.h"
 
 #include <cmath>
@@ -30,7 +30,7 @@ GatherOptions Options(int max_bounces, float near_m) {
 }
 
 /// Mean of the records of some keys.
-VectorIrradiance MeanLight(const LitScene& lit,
+VectorIrradiance MeanLight(const GatheredScene& lit,
                            const Vec3f& origin_m,
                            const Vec3f& normal,
                            int num_keys = 16) {
@@ -64,9 +64,10 @@ TEST(LightGatherer, OpenPlaneUnderAConstantSkyGetsPiAlongItsNormal) {
   const Rgb radiance(3.0F, 2.0F, 0.5F);
   // With a sun as well: its own disc is left out.
   for (const bool has_sun : {false, true}) {
-    const LitScene lit(SceneOf({FloorMesh(10.0F, 0)}, {LambertianMaterial(Rgb::Ones())}),
-                       has_sun ? SunAndConstantSky({1.0, 0.5, 1.0}, Rgb::Constant(100.0F), radiance)
-                               : ConstantSkyLight(radiance));
+    const GatheredScene lit(
+        SceneOf({FloorMesh(10.0F, 0)}, {LambertianMaterial(Rgb::Ones())}),
+        has_sun ? SunAndConstantSky({1.0, 0.5, 1.0}, Rgb::Constant(100.0F), radiance)
+                : ConstantSkyLight(radiance));
     const VectorIrradiance light = MeanLight(lit, {0.3F, -0.2F, 1e-4F}, Vec3f::UnitZ());
     for (int channel = 0; channel < 3; ++channel) {
       EXPECT_NEAR(light.z[channel], kPi * radiance[channel], 0.01F * kPi * radiance[channel]);
@@ -80,8 +81,8 @@ TEST(LightGatherer, OpenPlaneUnderAConstantSkyGetsPiAlongItsNormal) {
 }
 
 TEST(LightGatherer, OneRecordIsGoodToTwoPercentUnderAConstantSky) {
-  const LitScene lit(SceneOf({FloorMesh(10.0F, 0)}, {LambertianMaterial(Rgb::Ones())}),
-                     ConstantSkyLight(Rgb::Ones()));
+  const GatheredScene lit(SceneOf({FloorMesh(10.0F, 0)}, {LambertianMaterial(Rgb::Ones())}),
+                          ConstantSkyLight(Rgb::Ones()));
   // Normals in all directions: each octant has a frame of its own.
   for (int i = 0; i < 32; ++i) {
     const Vec3f normal = Vec3f(std::sin(1.3F * static_cast<float>(i)),
@@ -99,7 +100,7 @@ TEST(LightGatherer, OneRecordIsGoodToTwoPercentUnderAConstantSky) {
 
 TEST(LightGatherer, WallOnBlackGroundGetsHalfTheSky) {
   // A quarter of the sphere: pi / 2 along the wall's normal, and as much upward.
-  const LitScene lit(
+  const GatheredScene lit(
       SceneOf({FloorMesh(2000.0F, 0),
                ParallelogramMesh({0.0F, -5.0F, 0.0F}, {0.0F, 10.0F, 0.0F}, {0.0F, 0.0F, 4.0F}, 0)},
               {LambertianMaterial(Rgb::Zero())}),
@@ -118,7 +119,7 @@ TEST(LightGatherer, FurnaceWithFewBouncesIsThePartialSum) {
     float radiosity = 0.0F;
     for (int max_bounces = 1; max_bounces <= 4; ++max_bounces) {
       radiosity += 1.5F * std::pow(kAlbedo, static_cast<float>(max_bounces - 1));
-      const LitScene lit(
+      const GatheredScene lit(
           Furnace(kAlbedo, 1.5F), ConstantSkyLight(Rgb::Ones()), Options(max_bounces, near_m));
       const VectorIrradiance light = MeanLight(lit, {0.3F, 0.2F, 1e-4F}, Vec3f::UnitZ(), 4);
       EXPECT_NEAR(light.z[1], kPi * radiosity, 0.02F * kPi * radiosity)
@@ -131,7 +132,8 @@ TEST(LightGatherer, FurnaceWithManyBouncesGathersThemAll) {
   constexpr float kAlbedo = 0.7F;
   constexpr float kRadiosity = 2.0F / (1.0F - kAlbedo);
   for (const float near_m : {kNothing_m, 2.0F, kEverything_m}) {
-    const LitScene lit(Furnace(kAlbedo, 2.0F), ConstantSkyLight(Rgb::Ones()), Options(200, near_m));
+    const GatheredScene lit(
+        Furnace(kAlbedo, 2.0F), ConstantSkyLight(Rgb::Ones()), Options(200, near_m));
     const VectorIrradiance light = MeanLight(lit, {-1.3F, 0.7F, 1e-4F}, Vec3f::UnitZ());
     EXPECT_NEAR(light.z[0], kPi * kRadiosity, 0.03F * kPi * kRadiosity) << near_m;
   }
@@ -142,9 +144,9 @@ TEST(LightGatherer, SunlitGroundLightsWhatFacesIt) {
   const Rgb albedo(0.5F, 0.4F, 0.1F);
   const Vec3d to_sun = Vec3d(0.6, 0.0, 0.8);
   for (const float near_m : {kNothing_m, kEverything_m}) {
-    const LitScene lit(SceneOf({FloorMesh(2000.0F, 0)}, {LambertianMaterial(albedo)}),
-                       SunAndConstantSky(to_sun, Rgb::Constant(100.0F), Rgb::Zero()),
-                       Options(2, near_m));
+    const GatheredScene lit(SceneOf({FloorMesh(2000.0F, 0)}, {LambertianMaterial(albedo)}),
+                            SunAndConstantSky(to_sun, Rgb::Constant(100.0F), Rgb::Zero()),
+                            Options(2, near_m));
     const VectorIrradiance light = MeanLight(lit, {0.1F, 0.2F, 2.0F}, -Vec3f::UnitZ());
     for (int channel = 0; channel < 3; ++channel) {
       EXPECT_NEAR(-light.z[channel], 80.0F * albedo[channel], 0.02F * 80.0F * albedo[channel])
@@ -160,10 +162,11 @@ TEST(LightGatherer, ShadedGroundLightsNothing) {
     position_m.z() = 5.0F;
   }
   for (const float near_m : {kNothing_m, kEverything_m}) {
-    const LitScene lit(SceneOf({FloorMesh(3.0F, 0), canopy},
-                               {LambertianMaterial(Rgb::Ones()), LambertianMaterial(Rgb::Zero())}),
-                       SunAndConstantSky({0.1, 0.0, 1.0}, Rgb::Constant(100.0F), Rgb::Zero()),
-                       Options(6, near_m));
+    const GatheredScene lit(
+        SceneOf({FloorMesh(3.0F, 0), canopy},
+                {LambertianMaterial(Rgb::Ones()), LambertianMaterial(Rgb::Zero())}),
+        SunAndConstantSky({0.1, 0.0, 1.0}, Rgb::Constant(100.0F), Rgb::Zero()),
+        Options(6, near_m));
     const VectorIrradiance light = MeanLight(lit, {0.0F, 0.0F, 2.0F}, -Vec3f::UnitZ());
     EXPECT_EQ(light.z[0], 0.0F) << near_m;
   }
@@ -178,7 +181,7 @@ TEST(LightGatherer, GlossyWhiteWallsReflectAsMuchAsMattOnes) {
       scene.materials[0].base_color = Rgb::Constant(1.0F);
       scene.materials[0].roughness = roughness;
       scene.materials[0].emission = Rgb::Ones();
-      const LitScene lit(std::move(scene), ConstantSkyLight(Rgb::Zero()), Options(3, near_m));
+      const GatheredScene lit(std::move(scene), ConstantSkyLight(Rgb::Zero()), Options(3, near_m));
       const VectorIrradiance light = MeanLight(lit, {0.1F, 0.2F, 1e-4F}, Vec3f::UnitZ(), 8);
       EXPECT_NEAR(light.z[1], 3.0F * kPi, 0.05F * 3.0F * kPi) << roughness << " " << near_m;
     }
@@ -188,20 +191,20 @@ TEST(LightGatherer, GlossyWhiteWallsReflectAsMuchAsMattOnes) {
 TEST(LightGatherer, TellsPlacesWithinABody) {
   std::vector<Mesh> meshes = {FloorMesh(10.0F, 0)};
   AddBox({-1.0F, -1.0F, 0.0F}, {2.0F, 2.0F, 2.0F}, 0, &meshes);
-  const LitScene lit(SceneOf(meshes, {LambertianMaterial(Rgb::Constant(0.5F))}),
-                     ConstantSkyLight(Rgb::Ones()));
+  const GatheredScene lit(SceneOf(meshes, {LambertianMaterial(Rgb::Constant(0.5F))}),
+                          ConstantSkyLight(Rgb::Ones()));
   EXPECT_TRUE(lit.gatherer.Gather({0.2F, 0.1F, 1e-4F}, Vec3f::UnitZ(), 1).is_buried);
   EXPECT_FALSE(lit.gatherer.Gather({3.0F, 0.1F, 1e-4F}, Vec3f::UnitZ(), 1).is_buried);
   EXPECT_FALSE(lit.gatherer.Gather({1.0001F, 0.1F, 1.0F}, Vec3f::UnitX(), 1).is_buried);
 }
 
 TEST(LightGatherer, DependsOnTheKeyAlone) {
-  const auto gather = [](const LitScene& lit, uint64_t key) {
+  const auto gather = [](const GatheredScene& lit, uint64_t key) {
     return lit.gatherer.Gather({0.3F, 0.2F, 1e-4F}, Vec3f::UnitZ(), key).light;
   };
   const Lighting lighting = SunAndConstantSky({1.0, 0.5, 1.0}, Rgb::Ones(), Rgb::Ones());
-  const LitScene first(Furnace(0.5F, 1.0F), lighting);
-  const LitScene second(Furnace(0.5F, 1.0F), lighting);
+  const GatheredScene first(Furnace(0.5F, 1.0F), lighting);
+  const GatheredScene second(Furnace(0.5F, 1.0F), lighting);
   // Another place first: the coarse light is filled in another order.
   gather(second, 9);
   EXPECT_TRUE((gather(first, 1).z == gather(second, 1).z).all());

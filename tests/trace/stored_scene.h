@@ -4,7 +4,7 @@
 
 #include "renderer/core/random.h"
 #include "renderer/trace/light_store.h"
-#include "tests/trace/lit_scene.h"
+#include "tests/trace/gathered_scene.h"
 #include "tests/trace/shapes.h"
 
 #include <cmath>
@@ -85,7 +85,7 @@ struct StoredScene {
     return all;
   }
 
-  LitScene lit;
+  GatheredScene lit;
   LightStore store;
 };
 

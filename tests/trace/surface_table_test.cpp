@@ -4,7 +4,7 @@
 
 #include "renderer/core/random.h"
 #include "renderer/trace/material.h"
-#include "tests/trace/lit_scene.h"
+#include "tests/trace/gathered_scene.h"
 #include "tests/trace/shapes.h"
 
 #include <array>
@@ -119,7 +119,7 @@ Vec3f RandomPlace(RandomStream& random, double half_size_m) {
 }
 
 TEST_P(SurfaceTableOf, WithoutAFootprintIsWhatThePathTracerSees) {
-  const LitScene lit(GetParam().scene, ConstantSkyLight(Rgb::Ones()));
+  const GatheredScene lit(GetParam().scene, ConstantSkyLight(Rgb::Ones()));
   const Scene& scene = lit.rays.PlainScene();
   RandomStream random({1});
   int num_front = 0;
@@ -191,7 +191,7 @@ class SlantedTest : public testing::Test {
            lit_.textures.LookupFiltered(0, texcoord, axis_x, axis_y).head<3>();
   }
 
-  LitScene lit_;
+  GatheredScene lit_;
 };
 
 /// Rays at the middle of the mesh from many sides, and a direction beside each.
@@ -299,7 +299,7 @@ TEST(SurfaceTable, WhatLiesBesideALeafInItsAtlasIsNotSeenOnTheLeafFromAfar) {
   Mesh leaf = ParallelogramMesh({0.0F, 0.0F, 0.0F}, {0.1F, 0.0F, 0.0F}, {0.0F, 0.1F, 0.0F}, 0);
   leaf.texcoords = {{0.25F, 0.25F}, {0.5F, 0.25F}, {0.5F, 0.5F}, {0.25F, 0.5F}};
   scene.meshes = {leaf};
-  const LitScene lit(scene, ConstantSkyLight(Rgb::Ones()));
+  const GatheredScene lit(scene, ConstantSkyLight(Rgb::Ones()));
   // A pixel of ten leaves' width, and a stratum whose middle is beside the leaf.
   RayFootprint footprint;
   footprint.axis_x = {0.01F, 0.0F, 0.0F};
@@ -325,7 +325,7 @@ TEST(SurfaceTable, NumbersTrianglesOverAllMeshes) {
   Scene scene;
   scene.materials.resize(1);
   scene.meshes = {FloorMesh(1.0F, 0), SphereMesh({0.0F, 0.0F, 5.0F}, 1.0F, 0), FloorMesh(3.0F, 0)};
-  const LitScene lit(scene, ConstantSkyLight(Rgb::Ones()));
+  const GatheredScene lit(scene, ConstantSkyLight(Rgb::Ones()));
   EXPECT_EQ(lit.surfaces.NumTriangles(), lit.rays.PlainScene().NumTriangles());
   uint32_t triangle_idx = 0;
   for (uint32_t mesh_idx = 0; mesh_idx < 3; ++mesh_idx) {

@@ -26,8 +26,8 @@ inline Lighting SunAndConstantSky(const Vec3d& direction_to_sun,
           Sky::Constant(sky_radiance)};
 }
 
-struct LitScene {
-  LitScene(Scene scene, Lighting scene_lighting, const GatherOptions& options = {})
+struct GatheredScene {
+  GatheredScene(Scene scene, Lighting scene_lighting, const GatherOptions& options = {})
       : rays(std::make_shared<const Scene>(std::move(scene))),
         textures(rays.PlainScene()),
         lighting(std::move(scene_lighting)),
