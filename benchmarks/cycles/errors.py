@@ -20,12 +20,51 @@ def relative_mse(image, reference, mask):
     return float(np.mean((i - r) ** 2 / (r ** 2 + RELATIVE_MSE_OFFSET)))
 
 
+def _weighted_mean(product, scale, mask):
+    """Mean over the mask's pixels of a product of two differences, weighted as relative_mse weighs a square; `scale` stands
+    for R in the denominator."""
+    mean = scale[mask].mean()
+    return float(np.mean(product[mask] / (scale[mask] ** 2 + RELATIVE_MSE_OFFSET * mean ** 2)))
+
+
 def noise_of_pair(first, second, scale, mask):
     """relative_mse that the noise of either of two images makes up, which differ by their noise alone; `scale` stands for R
     in the denominator."""
-    mean = scale[mask].mean()
-    denominator = (scale[mask] / mean) ** 2 + RELATIVE_MSE_OFFSET
-    return float(np.mean(((first[mask] - second[mask]) / mean) ** 2 / denominator)) / 2
+    return _weighted_mean((first - second) ** 2, scale, mask) / 2
+
+
+def squared_bias(first, second, scale, mask):
+    """Estimate of relative_mse between what two kinds of images converge to, from a pair I, J and a pair P, Q: the weighted
+    mean of (I - P)(J - Q), in which all noise falls out.
+
+    `scale` stands for R in the denominator; its noise must be little and no other image's.
+    """
+    (i, j), (p, q) = first, second
+    return _weighted_mean((i - p) * (j - q), scale, mask)
+
+
+@dataclasses.dataclass(frozen=True)
+class Difference:
+    """How far the mean of a pair I, J is from that of P, Q, in luminance; `scale` as in squared_bias."""
+
+    # Ratio of the mean luminances, less 1.
+    mean: float
+    # The pixels' differences over the scale, without sign: mean and 99th percentile, and the same that noise alone would
+    # leave.
+    absolute: float
+    absolute_noise: float
+    percentile_99: float
+    percentile_99_noise: float
+
+    @staticmethod
+    def of(first, second, scale, mask):
+        i, j, p, q, r = (image[mask] @ LUMINANCE for image in (*first, *second, scale))
+        lit = r > 0
+        error = np.abs(i + j - p - q)[lit] / (2.0 * r[lit])
+        # Of the same spread as the noise of what is above.
+        noise = np.abs(i - j + p - q)[lit] / (2.0 * r[lit])
+        return Difference(float((i + j).sum() / (p + q).sum() - 1.0), float(error.mean()), float(noise.mean()),
+                          float(np.percentile(error, 99)), float(np.percentile(noise, 99)))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -52,11 +91,10 @@ class Reference:
         there is of it. `scale` is an image with little noise that stands for R in the denominator, where the parts' noise
         would not fall out.
         """
-        mean = self.image[mask].mean()
-        differences = [(image[mask] - part[mask]) / mean for part in self.parts]
-        denominator = (scale[mask] / scale[mask].mean()) ** 2 + RELATIVE_MSE_OFFSET
+        unit = scale[mask].mean() / self.image[mask].mean()
+        differences = [unit * (image - part) for part in self.parts]
         pairs = itertools.combinations(differences, 2)
-        return max(float(np.mean([np.mean(p * q / denominator) for p, q in pairs])), 0.0)
+        return max(float(np.mean([_weighted_mean(p * q, scale, mask) for p, q in pairs])), 0.0)
 
 
 @dataclasses.dataclass(frozen=True)

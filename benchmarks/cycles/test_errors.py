@@ -56,6 +56,42 @@ class NoiseOfPair(unittest.TestCase):
         self.assertEqual(errors.noise_of_pair(gray(1, 99), gray(1, 1), gray(1, 1), mask), 0.0)
 
 
+class TwoPairs(unittest.TestCase):
+    """Images of one thing and of another that is brighter by a known share, with noise."""
+
+    def setUp(self):
+        random = np.random.default_rng(5)
+        truth = np.tile([0.5, 1.5], (400, 200))[:, :, None].repeat(3, axis=2)
+        noisy = lambda share: truth * share * (1 + 0.2 * random.standard_normal((400, 400, 1)))
+        self.mask = np.ones((400, 400), bool)
+        self.scale = truth
+        self.second = [noisy(1.0), noisy(1.0)]
+        self.brighter = [noisy(1.04), noisy(1.04)]
+        self.same = [noisy(1.0), noisy(1.0)]
+
+    def test_squared_bias_has_no_noise(self):
+        expected = np.mean([0.04 ** 2 * r ** 2 / (r ** 2 + 0.01) for r in (0.5, 1.5)])
+        self.assertAlmostEqual(errors.squared_bias(self.brighter, self.second, self.scale, self.mask), expected, delta=0.15 * expected)
+        self.assertAlmostEqual(errors.squared_bias(self.same, self.second, self.scale, self.mask), 0.0, delta=0.15 * expected)
+
+    def test_difference_tells_noise_apart(self):
+        same = errors.Difference.of(self.same, self.second, self.scale, self.mask)
+        self.assertAlmostEqual(same.mean, 0.0, delta=0.003)
+        self.assertAlmostEqual(same.absolute, same.absolute_noise, delta=0.03 * same.absolute)
+        self.assertAlmostEqual(same.percentile_99, same.percentile_99_noise, delta=0.1 * same.percentile_99)
+        brighter = errors.Difference.of(self.brighter, self.second, self.scale, self.mask)
+        self.assertAlmostEqual(brighter.mean, 0.04, delta=0.003)
+        self.assertGreater(brighter.absolute, same.absolute)
+
+    def test_difference_ignores_pixels_outside_the_mask_and_black_ones(self):
+        mask = np.array([[True, True, False]])
+        pair = lambda *values: [gray(*values), gray(*values)]
+        difference = errors.Difference.of(pair(2, 0, 99), pair(1, 0, 1), gray(1, 0, 1), mask)
+        self.assertAlmostEqual(difference.mean, 1.0)
+        self.assertAlmostEqual(difference.absolute, 1.0)
+        self.assertAlmostEqual(difference.absolute_noise, 0.0)
+
+
 class Reference(unittest.TestCase):
     def test_takes_its_own_noise_off(self):
         random = np.random.default_rng(1)

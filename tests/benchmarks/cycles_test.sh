@@ -9,16 +9,18 @@ python=/usr/bin/python3
 "$python" -c 'import numpy, yaml' 2>/dev/null || exit 77
 "$python" -B -m unittest discover -s "$root/benchmarks/cycles"
 
-# refuses TEXT FLAGS...: exit status 2 and one line that holds the text
-refuses() {
-  local expected=$1 text status=0
-  shift
-  text=$("$root/tools/compare_with_cycles.sh" "$@" 2>&1 >/dev/null) || status=$?
+# refuses_of PROGRAM TEXT FLAGS...: exit status 2 and one line that holds the text
+refuses_of() {
+  local program=$1 expected=$2 text status=0
+  shift 2
+  text=$("$program" "$@" 2>&1 >/dev/null) || status=$?
   if [ "$status" -ne 2 ] || [ "$(wc -l <<<"$text")" -ne 1 ] || [[ $text != *"$expected"* ]]; then
-    echo "compare_with_cycles.sh $*: status $status: $text; expected status 2 and one line with: $expected" >&2
+    echo "$program $*: status $status: $text; expected status 2 and one line with: $expected" >&2
     exit 1
   fi
 }
+
+refuses() { refuses_of "$root/tools/compare_with_cycles.sh" "$@"; }
 
 refuses "--size: expected whole numbers from 16 to 8192" --size large
 refuses "--frames: expected whole numbers" --frames 3,-1
@@ -28,3 +30,11 @@ refuses "--reference-seeds: expected an even number" --reference-seeds 3
 refuses "no such file" "$root/no.yaml"
 refuses "--materials: invalid choice" --materials shiny
 "$root/tools/compare_with_cycles.sh" --help | grep -q -- --reference-spp
+
+bias=$root/benchmarks/light_bias.py
+refuses_of "$bias" "--size: expected whole numbers from 16 to 8192" --size huge
+refuses_of "$bias" "--qualities: expected numbers" --qualities fine
+refuses_of "$bias" "--set: expected KEY=VALUE" --set light
+refuses_of "$bias" "no such file: $root/no.yaml" "$root/no.yaml"
+refuses_of "$bias" "no such file: $root/no_program" --pfseq "$root/no_program"
+"$bias" --help | grep -q -- --path-samples
