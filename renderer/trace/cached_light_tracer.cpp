@@ -15,6 +15,9 @@ constexpr float kInversePi = std::numbers::inv_pi_v<float>;
 constexpr float kTracedRoughness = 0.5F;
 constexpr float kTracedShare = 0.25F;
 
+/// Mirrors in mirrors are traced where they give the camera more than this of what they reflect.
+constexpr float kTracedThroughput = 0.003F;
+
 /// The reflection sampled toward the sun and the sun found by reflected rays are weighed against
 /// each other below this roughness; rougher lobes are wide against the sun's disc.
 constexpr float kNarrowRoughness = 0.25F;
@@ -45,6 +48,21 @@ Rgb8 LobeRadiance(const LightPacket& light, const ScatterPacket& surface, const 
   // Of radiance L = a + b . w over the hemisphere, the in-plane moments are 2 pi / 3 b.
   const Rgb8 mean = Float8(kInversePi) * irradiance;
   return Max(mean + Float8(1.5F * kInversePi) * light.Along(in_plane), Float8(0.2F) * mean);
+}
+
+/// The lanes whose specular lobe is traced.
+uint32_t MirroringLanes(const ScatterPacket& surface) {
+  const Float8 diffuse = Luminance(surface.DiffuseReflectance());
+  const Float8 specular = Luminance(surface.SpecularReflectance());
+  return (surface.is_specular & ((surface.roughness < kTracedRoughness) |
+                                 (specular > kTracedShare * (diffuse + specular))))
+      .Bits();
+}
+
+/// Those of what is seen by reflection, of which the camera gets a share.
+uint32_t TwiceMirroringLanes(const ScatterPacket& seen, Float8 throughput) {
+  const Float8 share = throughput * Luminance(seen.SpecularReflectance());
+  return MirroringLanes(seen) & (share > kTracedThroughput).Bits();
 }
 
 Float8 PowerHeuristic(Float8 pdf, Float8 other_pdf) {
@@ -158,18 +176,30 @@ Rgb8 CachedLightTracer::SunLight(const ScatterPacket& surface,
   return Select(Mask8::FromBits(sunlit), value * Broadcast(sun_irradiance_), Rgb8{});
 }
 
-uint32_t CachedLightTracer::MirroringLanes(const ScatterPacket& surface) {
-  const Float8 diffuse = Luminance(surface.DiffuseReflectance());
-  const Float8 specular = Luminance(surface.SpecularReflectance());
-  return (surface.is_specular & ((surface.roughness < kTracedRoughness) |
-                                 (specular > kTracedShare * (diffuse + specular))))
-      .Bits();
+Rgb8 CachedLightTracer::SurfaceLight(const std::array<ShadingPoint, kPacketSize>& points,
+                                     const ScatterPacket& surface,
+                                     uint32_t active,
+                                     uint32_t mirroring,
+                                     Float8 throughput,
+                                     int vertex_idx,
+                                     CameraPacket& packet) const {
+  if (max_bounces_ <= vertex_idx) {
+    return surface.emission;
+  }
+  const Rgb8 light =
+      surface.emission +
+      ReflectedLight(points, surface, active, Mask8::FromBits(mirroring), vertex_idx, packet);
+  if (mirroring == 0) {
+    return light;
+  }
+  return light + MirroredLight(surface, mirroring, throughput, vertex_idx, packet);
 }
 
 CachedLightTracer::MirroredRays CachedLightTracer::FollowMirrors(const ScatterPacket& surface,
                                                                  uint32_t mirroring,
+                                                                 int vertex_idx,
                                                                  CameraPacket& packet) const {
-  const Draws draws = Draw2D(mirroring, 0, 0, packet);
+  const Draws draws = Draw2D(mirroring, vertex_idx, 0, packet);
   MirroredRays mirrored;
   mirrored.sample = surface.SampleSpecular(draws.first, draws.second);
   mirrored.rays = MakeRayPacket(
@@ -180,44 +210,58 @@ CachedLightTracer::MirroredRays CachedLightTracer::FollowMirrors(const ScatterPa
   return mirrored;
 }
 
+std::array<ShadingPoint, kPacketSize> CachedLightTracer::ShadeMirrored(
+    const ScatterPacket& surface, const MirroredRays& mirrored, const CameraPacket& packet) const {
+  const std::array<float, kPacketSize> roughness = surface.roughness.Values();
+  std::array<ShadingPoint, kPacketSize> points;
+  for (uint32_t lanes = mirrored.hits.hit; lanes != 0; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const auto lane = static_cast<size_t>(i);
+    const PacketHit hit = mirrored.hits.Of(i);
+    // The lobe's width and the camera ray's footprint both widen what the reflection averages.
+    const float spread =
+        0.5F * roughness[lane] * roughness[lane] + 2.0F * packet.footprints[lane].axis_x.norm();
+    points[lane] = surfaces_.Shade(hit,
+                                   mirrored.rays.Origin(i),
+                                   mirrored.rays.Direction(i),
+                                   spread * hit.distance_m,
+                                   std::max(min_indirect_roughness_, kNarrowRoughness));
+  }
+  return points;
+}
+
 Rgb8 CachedLightTracer::MirroredLight(const ScatterPacket& surface,
                                       uint32_t mirroring,
+                                      Float8 throughput,
+                                      int vertex_idx,
                                       CameraPacket& packet) const {
-  const auto [sample, rays, hits] = FollowMirrors(surface, mirroring, packet);
+  const MirroredRays mirrored = FollowMirrors(surface, mirroring, vertex_idx, packet);
+  const auto& [sample, rays, hits] = mirrored;
   if (rays.active == 0) {
     return {};
   }
-  const std::array<float, kPacketSize> roughness = surface.roughness.Values();
   const std::array<float, kPacketSize> sun_weights =
       Select(surface.roughness < kNarrowRoughness, PowerHeuristic(sample.pdf, sun_pdf_), 0.0F)
           .Values();
   std::array<Rgb, kPacketSize> escaped;
   escaped.fill(Rgb::Zero());
-  std::array<ShadingPoint, kPacketSize> points;
-  for (uint32_t lanes = rays.active; lanes != 0; lanes &= lanes - 1) {
+  for (uint32_t lanes = rays.active & ~hits.hit; lanes != 0; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const auto lane = static_cast<size_t>(i);
-    if (!hits.IsHit(i)) {
-      escaped[lane] = EscapedLight(rays.Direction(i), sun_weights[lane]);
-      continue;
-    }
-    const PacketHit hit = hits.Of(i);
-    // The lobe's width and the camera ray's footprint both widen what the reflection averages.
-    const float spread =
-        0.5F * roughness[lane] * roughness[lane] + 2.0F * packet.footprints[lane].axis_x.norm();
-    points[lane] = surfaces_.Shade(hit,
-                                   rays.Origin(i),
-                                   rays.Direction(i),
-                                   spread * hit.distance_m,
-                                   std::max(min_indirect_roughness_, kNarrowRoughness));
+    escaped[lane] = EscapedLight(rays.Direction(i), sun_weights[lane]);
   }
   Rgb8 light = Transposed(escaped);
   if (hits.hit != 0) {
+    const std::array<ShadingPoint, kPacketSize> points = ShadeMirrored(surface, mirrored, packet);
     const ScatterPacket seen(points, hits.hit, rays);
-    Rgb8 reflected = seen.emission;
-    if (max_bounces_ >= 2) {
-      reflected = reflected + ReflectedLight(points, seen, hits.hit, Mask8(), 1, packet);
-    }
+    const Float8 seen_throughput = throughput * Luminance(sample.weight);
+    const Rgb8 reflected = SurfaceLight(points,
+                                        seen,
+                                        hits.hit,
+                                        TwiceMirroringLanes(seen, seen_throughput) & hits.hit,
+                                        seen_throughput,
+                                        vertex_idx + 1,
+                                        packet);
     light = Select(Mask8::FromBits(hits.hit), reflected, light);
   }
   return Select(Mask8::FromBits(rays.active), sample.weight * light, Rgb8{});
@@ -242,16 +286,8 @@ void CachedLightTracer::Radiance(CameraPacket& packet,
     return;
   }
   const ScatterPacket surface(points, hits.hit, packet.rays);
-  Rgb8 light = surface.emission;
-  if (max_bounces_ >= 1) {
-    const uint32_t mirroring = MirroringLanes(surface) & hits.hit;
-    light =
-        light + ReflectedLight(points, surface, hits.hit, Mask8::FromBits(mirroring), 0, packet);
-    if (mirroring != 0) {
-      light = light + MirroredLight(surface, mirroring, packet);
-    }
-  }
-  const std::array<Rgb, kPacketSize> colors = Transposed(light);
+  const std::array<Rgb, kPacketSize> colors = Transposed(
+      SurfaceLight(points, surface, hits.hit, MirroringLanes(surface) & hits.hit, 1.0F, 0, packet));
   for (uint32_t lanes = hits.hit; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<size_t>(std::countr_zero(lanes));
     radiance[lane] = colors[lane];
@@ -277,17 +313,36 @@ void CachedLightTracer::WantRecords(CameraPacket& packet,
     store_.Want(points[lane], LightDetail::kSeen, missing);
   }
   const ScatterPacket surface(points, hits.hit, packet.rays);
-  const uint32_t mirroring = MirroringLanes(surface) & hits.hit;
-  if (mirroring == 0 || max_bounces_ < 2) {
+  WantMirrored(surface, MirroringLanes(surface) & hits.hit, 1.0F, 0, packet, missing);
+}
+
+void CachedLightTracer::WantMirrored(const ScatterPacket& surface,
+                                     uint32_t mirroring,
+                                     Float8 throughput,
+                                     int vertex_idx,
+                                     CameraPacket& packet,
+                                     std::vector<LightStore::RecordId>& missing) const {
+  if (mirroring == 0 || max_bounces_ <= vertex_idx + 1) {
     return;
   }
-  const MirroredRays mirrored = FollowMirrors(surface, mirroring, packet);
-  for (uint32_t lanes = mirrored.rays.active & mirrored.hits.hit; lanes != 0; lanes &= lanes - 1) {
-    const int i = std::countr_zero(lanes);
-    store_.Want(surfaces_.Locate(mirrored.hits.Of(i), mirrored.rays.Direction(i)),
-                LightDetail::kReflected,
-                missing);
+  const MirroredRays mirrored = FollowMirrors(surface, mirroring, vertex_idx, packet);
+  const uint32_t hit = mirrored.hits.hit;
+  if (hit == 0) {
+    return;
   }
+  const std::array<ShadingPoint, kPacketSize> points = ShadeMirrored(surface, mirrored, packet);
+  for (uint32_t lanes = hit; lanes != 0; lanes &= lanes - 1) {
+    store_.Want(
+        points[static_cast<size_t>(std::countr_zero(lanes))], LightDetail::kReflected, missing);
+  }
+  const ScatterPacket seen(points, hit, mirrored.rays);
+  const Float8 seen_throughput = throughput * Luminance(mirrored.sample.weight);
+  WantMirrored(seen,
+               TwiceMirroringLanes(seen, seen_throughput) & hit,
+               seen_throughput,
+               vertex_idx + 1,
+               packet,
+               missing);
 }
 
 }  // namespace pfseq

@@ -25,9 +25,9 @@ struct CameraPacket {
 
 /// Light along camera rays from the light stored on the surfaces: a shadow ray to the sun, the
 /// stored skylight and indirect light at the surface, and, where it mirrors, one ray whose hit is
-/// shaded in the same way without a further one. Where a surface is rough, its specular lobe's
-/// reflection of the surroundings is that of their first moments. Any number of threads may use
-/// one.
+/// shaded in the same way, mirrors in mirrors as long as they count. Where a surface is rough, its
+/// specular lobe's reflection of the surroundings is that of their first moments. Any number of
+/// threads may use one.
 class CachedLightTracer {
  public:
   /// All must outlive this.
@@ -50,8 +50,18 @@ class CachedLightTracer {
  private:
   /// Of sky and sun, the sun's times a weight.
   Rgb EscapedLight(const Vec3f& direction, float sun_weight) const;
-  /// What the active surfaces reflect by stored light and sun; the specular lobe's reflection of
-  /// the stored light is left out where that is traced.
+  /// Of the active surfaces, with `mirroring` those whose specular lobe is traced. The vertex is 0
+  /// for what the camera sees, 1 for what is seen in that, and so on; the throughput is the share
+  /// of the light there that the camera gets.
+  Rgb8 SurfaceLight(const std::array<ShadingPoint, kPacketSize>& points,
+                    const ScatterPacket& surface,
+                    uint32_t active,
+                    uint32_t mirroring,
+                    Float8 throughput,
+                    int vertex_idx,
+                    CameraPacket& packet) const;
+  /// What they reflect by stored light and sun; the specular lobe's reflection of the stored light
+  /// is left out where that is traced.
   Rgb8 ReflectedLight(const std::array<ShadingPoint, kPacketSize>& points,
                       const ScatterPacket& surface,
                       uint32_t active,
@@ -62,8 +72,6 @@ class CachedLightTracer {
                 uint32_t active,
                 int vertex_idx,
                 CameraPacket& packet) const;
-  /// The lanes whose specular lobe is traced.
-  static uint32_t MirroringLanes(const ScatterPacket& surface);
   /// Rays of specular lobes and what they meet.
   struct MirroredRays {
     ScatterPacket::SpecularSample sample;
@@ -72,9 +80,24 @@ class CachedLightTracer {
   };
   MirroredRays FollowMirrors(const ScatterPacket& surface,
                              uint32_t mirroring,
+                             int vertex_idx,
                              CameraPacket& packet) const;
   /// What the specular lobes reflect, by a ray each.
-  Rgb8 MirroredLight(const ScatterPacket& surface, uint32_t mirroring, CameraPacket& packet) const;
+  Rgb8 MirroredLight(const ScatterPacket& surface,
+                     uint32_t mirroring,
+                     Float8 throughput,
+                     int vertex_idx,
+                     CameraPacket& packet) const;
+  /// The surfaces that mirrored rays met.
+  std::array<ShadingPoint, kPacketSize> ShadeMirrored(const ScatterPacket& surface,
+                                                      const MirroredRays& mirrored,
+                                                      const CameraPacket& packet) const;
+  void WantMirrored(const ScatterPacket& surface,
+                    uint32_t mirroring,
+                    Float8 throughput,
+                    int vertex_idx,
+                    CameraPacket& packet,
+                    std::vector<LightStore::RecordId>& missing) const;
 
   const RayScene& rays_;
   const SurfaceTable& surfaces_;

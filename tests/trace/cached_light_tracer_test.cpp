@@ -175,6 +175,30 @@ TEST(CachedLightTracer, MirrorShowsTheColouredWall) {
   EXPECT_NEAR(sky[0], 1.0F, 0.02F);
 }
 
+TEST(CachedLightTracer, MirrorsInMirrorsShowTheGlowingWall) {
+  // Between a floor and a ceiling that mirror, closed by a wall.
+  Material mirror;
+  mirror.base_color = Rgb::Ones();
+  mirror.metallic = 1.0F;
+  mirror.roughness = 0.02F;
+  Material glowing = LambertianMaterial(Rgb::Zero());
+  glowing.emission = Rgb(1.0F, 2.0F, 3.0F);
+  for (const float wall_m : {4.0F, 6.0F}) {
+    Scene scene = FloorOf(mirror);
+    scene.materials.push_back(glowing);
+    scene.meshes.push_back(
+        ParallelogramMesh({-20.0F, -20.0F, 2.0F}, {0.0F, 40.0F, 0.0F}, {40.0F, 0.0F, 0.0F}, 0));
+    scene.meshes.push_back(
+        ParallelogramMesh({wall_m, -20.0F, 0.0F}, {0.0F, 0.0F, 2.0F}, {0.0F, 40.0F, 0.0F}, 1));
+    const TracedScene traced(scene, ConstantSkyLight(Rgb::Zero()));
+    // By floor and ceiling, and by the floor once more. A little is lost where the mirrors count as
+    // rougher than they are.
+    const Rgb seen = traced.Mean({0.0F, 0.0F, 1.0F}, {1.0F, 0.0F, -1.0F}, 1024);
+    EXPECT_TRUE(seen.isApprox(0.97F * glowing.emission, 0.03F))
+        << wall_m << ": " << seen.transpose();
+  }
+}
+
 /// A mirroring floor before a wall.
 Scene FloorBeforeWall(const Material& floor) {
   Scene scene = FloorOf(floor);
