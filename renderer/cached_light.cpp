@@ -19,7 +19,7 @@ namespace pfseq {
 namespace {
 
 /// Changes whenever the same input would give other records.
-constexpr std::string_view kFormat = "pfseq light 9";
+constexpr std::string_view kFormat = "pfseq light 10";
 
 /// Records near the cameras are this far apart in a street, and this share of the scene's size in
 /// a small one.
@@ -173,8 +173,8 @@ void CachedLight::Prepare(const std::vector<RasterView>& views,
                           const PixelSampling& sampling,
                           int num_threads,
                           bool quiet) {
-  // Where light changes fast shows once the first records are there.
-  constexpr int kNumRounds = 2;
+  // Where light changes fast shows once the first records are there, and where faster, the second.
+  constexpr int kNumRounds = 3;
   for (int round = 0; round < kNumRounds; ++round) {
     std::vector<LightStore::RecordId> missing;
     Progress progress("light, what the views see of it", views.size(), quiet);

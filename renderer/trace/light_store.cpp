@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace pfseq {
 namespace {
@@ -18,8 +19,24 @@ constexpr float kInsetShareOfSpacing = 0.04F;
 /// What a buried record counts for beside others.
 constexpr float kBuriedWeight = 1e-4F;
 
-/// Between neighbours that differ by more the light is looked up more finely: a factor of 1.4.
+/// Between neighbours that differ by more the light is looked up more finely: a factor of 1.4, and
+/// of 4 where it is looked up finely already.
 constexpr int kFastChangeInLevels = LightRecord::kLevelsPerStop / 2;
+constexpr int kFasterChangeInLevels = 2 * LightRecord::kLevelsPerStop;
+
+/// The grid to look at where a grid's neighbours differ much, if there is one.
+std::optional<LightDetail> FinerThan(LightDetail detail) {
+  switch (detail) {
+    case LightDetail::kSeen:
+      return LightDetail::kFine;
+    case LightDetail::kFine:
+      return LightDetail::kFinest;
+    case LightDetail::kReflected:
+    case LightDetail::kFinest:
+      break;
+  }
+  return std::nullopt;
+}
 
 /// Places that are tried for a record that would lie within a body.
 constexpr int kPlacesTried = 24;
@@ -35,19 +52,24 @@ Vec2f PlaceInCell(int i) {
                         static_cast<float>(2.0 * (v - std::floor(v)) - 1.0));
 }
 
-/// Tells by the records around a point whether light changes fast there.
+/// Tells by the records around a point whether light changes too fast there for their grid.
 class FastChange {
  public:
+  explicit FastChange(LightDetail detail)
+      : limit_in_levels_(detail == LightDetail::kFine ? kFasterChangeInLevels
+                                                      : kFastChangeInLevels) {}
+
   /// Whether it does, by this record and those before.
   bool ShowsIn(const LightRecord& record) {
     least_level_ = std::min(least_level_, record.Level());
     greatest_level_ = std::max(greatest_level_, record.Level());
-    return record.IsBesideBody() || greatest_level_ - least_level_ > kFastChangeInLevels;
+    return record.IsBesideBody() || greatest_level_ - least_level_ > limit_in_levels_;
   }
 
  private:
   int least_level_ = std::numeric_limits<int>::max();
   int greatest_level_ = 0;
+  int limit_in_levels_;
 };
 
 bool IsDark(const VectorIrradiance& light) {
@@ -94,6 +116,20 @@ float LightStore::SpacingAt(const Vec3f& centre_m, float size_m) const {
   return std::max(options_.spacing_m, options_.spacing_by_distance * (nearest_m - 0.6F * size_m));
 }
 
+float LightStore::SpacingScale(LightDetail detail) const {
+  switch (detail) {
+    case LightDetail::kSeen:
+      return 1.0F;
+    case LightDetail::kReflected:
+      return options_.reflected_spacing;
+    case LightDetail::kFine:
+      return options_.fine_spacing;
+    case LightDetail::kFinest:
+      return options_.finest_spacing;
+  }
+  return 1.0F;
+}
+
 std::unique_ptr<LightStore::Face> LightStore::MakeFace(uint32_t face_idx,
                                                        LightDetail detail) const {
   const auto [mesh_idx, in_mesh] = surfaces_.MeshAndTriangle(face_idx);
@@ -102,9 +138,7 @@ std::unique_ptr<LightStore::Face> LightStore::MakeFace(uint32_t face_idx,
   if (face_idx + 1 < is_second_.size() && is_second_[face_idx + 1] != 0) {
     apexes = ParallelogramApexes(mesh, mesh.triangles[in_mesh], mesh.triangles[in_mesh + 1]);
   }
-  const float scale = detail == LightDetail::kReflected    ? options_.reflected_spacing
-                      : detail == LightDetail::kFine ? options_.fine_spacing
-                                                           : 1.0F;
+  const float scale = SpacingScale(detail);
   const auto spacing_at = [&](const Vec3f& middle_m, float size_m) {
     return scale * SpacingAt(middle_m, size_m);
   };
@@ -207,8 +241,9 @@ VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detai
   Face& face = FaceAt(face_idx, detail);
   const RecordGrid::Stencil stencil =
       face.grid.StencilAt(face_idx != point.triangle_idx, point.u, point.v);
-  const bool may_be_finer = detail == LightDetail::kSeen && face.grid.NumRecords() > 1;
-  FastChange change;
+  const std::optional<LightDetail> finer =
+      face.grid.NumRecords() > 1 ? FinerThan(detail) : std::nullopt;
+  FastChange change(detail);
   VectorIrradiance light;
   float sum_of_weights = 0.0F;
   for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
@@ -221,8 +256,8 @@ VectorIrradiance LightStore::Lookup(const ShadingPoint& point, LightDetail detai
       }
       record = &computed;
     }
-    if (may_be_finer && change.ShowsIn(*record)) {
-      return Lookup(point, LightDetail::kFine);
+    if (finer.has_value() && change.ShowsIn(*record)) {
+      return Lookup(point, *finer);
     }
     const float weight = stencil.weights[i] * (record->IsBuried() ? kBuriedWeight : 1.0F);
     sum_of_weights += weight;
@@ -250,8 +285,10 @@ void LightStore::Want(const ShadingPoint& point,
   Face& face = FaceAt(face_idx, detail);
   const RecordGrid::Stencil stencil =
       face.grid.StencilAt(face_idx != point.triangle_idx, point.u, point.v);
+  const std::optional<LightDetail> finer =
+      face.grid.NumRecords() > 1 ? FinerThan(detail) : std::nullopt;
   bool is_finer = false;
-  FastChange change;
+  FastChange change(detail);
   for (size_t i = 0; i < static_cast<size_t>(stencil.count); ++i) {
     LightRecord* record = RecordAt(face, point.is_front, stencil.records[i]);
     if (record == nullptr) {
@@ -262,8 +299,8 @@ void LightStore::Want(const ShadingPoint& point,
     }
     is_finer = (record->IsReady() && change.ShowsIn(*record)) || is_finer;
   }
-  if (is_finer && detail == LightDetail::kSeen && face.grid.NumRecords() > 1) {
-    Want(point, LightDetail::kFine, missing);
+  if (is_finer && finer.has_value()) {
+    Want(point, *finer, missing);
   }
 }
 

@@ -6,8 +6,9 @@
 // place alone, so that it is the same whoever asks first. Records that would lie within a body,
 // where faces run into each other, are told by what they see and moved to where the face shows
 // nearby; if that is nowhere, they count only where there is no other. Beside such records, and
-// between neighbours that differ much, the face has a finer grid, for there its light changes fast;
-// what is seen by reflection alone has a coarser one.
+// between neighbours that differ much, the face has a finer grid, for there its light changes fast,
+// and where that grid's neighbours differ very much, as in gaps between mouldings, the finest; what
+// is seen by reflection alone has a coarser one.
 #pragma once
 
 #include "renderer/core/progress.h"
@@ -31,18 +32,20 @@
 namespace pfseq {
 
 /// How finely light is stored: for what the camera sees, for what it sees by reflection, and for
-/// what it sees where the light changes fast.
-enum class LightDetail : uint8_t { kSeen, kReflected, kFine };
-inline constexpr size_t kNumLightDetails = 3;
+/// what it sees where the light changes fast, and faster.
+enum class LightDetail : uint8_t { kSeen, kReflected, kFine, kFinest };
+inline constexpr size_t kNumLightDetails = 4;
 
 struct LightStoreOptions {
   /// Distance of the records on surfaces near the viewpoints.
   float spacing_m = 0.25F;
   /// On surfaces further off it grows with the distance to the nearest viewpoint.
   float spacing_by_distance = 0.03F;
-  /// Both are so many times wider for what is seen by reflection, and where light changes fast.
+  /// Both are so many times wider for what is seen by reflection, where light changes fast, and
+  /// where it changes faster.
   float reflected_spacing = 4.0F;
   float fine_spacing = 0.25F;
+  float finest_spacing = 0.0625F;
   /// Where the cameras come by, about. None: spacing_m everywhere.
   std::vector<Vec3f> viewpoints_m;
   /// Records beyond this are computed each time they are asked for.
@@ -107,6 +110,7 @@ class LightStore {
   }
   Face& FaceAt(uint32_t face_idx, LightDetail detail);
   std::unique_ptr<Face> MakeFace(uint32_t face_idx, LightDetail detail) const;
+  float SpacingScale(LightDetail detail) const;
   float SpacingAt(const Vec3f& centre_m, float size_m) const;
   /// Records that serve for both are those of what is seen.
   LightDetail DetailFor(uint32_t face_idx, LightDetail detail);

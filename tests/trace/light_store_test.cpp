@@ -110,6 +110,29 @@ TEST(LightStore, ShadowsOfThinThingsAreNoWiderThanTheyAre) {
   EXPECT_GT(light_at(-0.12F), 0.85F * open);
 }
 
+TEST(LightStore, GapsBetweenBodiesHaveLightOfTheirOwn) {
+  // A gap of 3 cm between a block on the floor, within which records are buried, and a board just
+  // over it, under which they are dark.
+  for (const float gap_m : {0.0F, 0.02F, 0.05F}) {
+    Scene scene;
+    scene.materials = {LambertianMaterial(Rgb::Constant(0.5F))};
+    scene.meshes = {FloorMesh(2.0F, 0)};
+    AddBox({gap_m + 0.015F, -1.0F, 0.0F}, {0.5F, 2.0F, 0.02F}, 0, &scene.meshes);
+    AddBox({gap_m - 0.515F, -1.0F, 0.004F}, {0.5F, 2.0F, 0.006F}, 0, &scene.meshes);
+    scene.meshes.push_back(ParallelogramMesh(
+        {gap_m - 0.515F, -1.0F, 0.004F}, {0.0F, 2.0F, 0.0F}, {0.5F, 0.0F, 0.0F}, 0));
+    StoredScene stored(Spacing(0.25F), std::move(scene));
+    const Vec3f origin_m(gap_m, 0.1F, 0.02F);
+    const Vec3f down(0.0F, 0.0F, -1.0F);
+    ShadingPoint point =
+        stored.lit.surfaces.Locate(*stored.lit.rays.Intersect(origin_m, down), down);
+    point.position_m = {origin_m.x(), origin_m.y(), 0.0F};
+    const float here = stored.lit.gatherer.Gather(point.RayOriginM(), -down, 1).light.z[1];
+    EXPECT_GT(here, 0.5F);
+    EXPECT_NEAR(stored.store.Lookup(point, LightDetail::kSeen).z[1], here, 0.25F * here) << gap_m;
+  }
+}
+
 TEST(LightStore, SidesOfATriangleAreApart) {
   StoredScene stored(Spacing(0.5F));
   const VectorIrradiance front =

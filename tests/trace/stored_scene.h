@@ -73,11 +73,12 @@ struct StoredScene {
     store.Compute(records, num_threads, progress);
   }
 
-  /// All that is missing, in two rounds: where light changes fast shows after the first.
+  /// All that is missing, in three rounds: where light changes fast, and faster, shows after the
+  /// first and the second.
   std::vector<LightStore::RecordId> ComputeMissing(const std::vector<ShadingPoint>& points,
                                                    int num_threads) {
     std::vector<LightStore::RecordId> all;
-    for (int round = 0; round < 2; ++round) {
+    for (int round = 0; round < 3; ++round) {
       const std::vector<LightStore::RecordId> missing = Missing(points);
       Compute(missing, num_threads);
       all.insert(all.end(), missing.begin(), missing.end());
