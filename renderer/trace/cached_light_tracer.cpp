@@ -60,7 +60,7 @@ uint32_t MirroringLanes(const ScatterPacket& surface) {
 }
 
 /// Those of what is seen by reflection, of which the camera gets a share.
-uint32_t TwiceMirroringLanes(const ScatterPacket& seen, Float8 throughput) {
+uint32_t MirroringLanesThatCount(const ScatterPacket& seen, Float8 throughput) {
   const Float8 share = throughput * Luminance(seen.SpecularReflectance());
   return MirroringLanes(seen) & (share > kTracedThroughput).Bits();
 }
@@ -258,7 +258,7 @@ Rgb8 CachedLightTracer::MirroredLight(const ScatterPacket& surface,
     const Rgb8 reflected = SurfaceLight(points,
                                         seen,
                                         hits.hit,
-                                        TwiceMirroringLanes(seen, seen_throughput) & hits.hit,
+                                        MirroringLanesThatCount(seen, seen_throughput) & hits.hit,
                                         seen_throughput,
                                         vertex_idx + 1,
                                         packet);
@@ -338,7 +338,7 @@ void CachedLightTracer::WantMirrored(const ScatterPacket& surface,
   const ScatterPacket seen(points, hit, mirrored.rays);
   const Float8 seen_throughput = throughput * Luminance(mirrored.sample.weight);
   WantMirrored(seen,
-               TwiceMirroringLanes(seen, seen_throughput) & hit,
+               MirroringLanesThatCount(seen, seen_throughput) & hit,
                seen_throughput,
                vertex_idx + 1,
                packet,
