@@ -10,7 +10,7 @@ struct TreeDesign {
   double height_m = 9.0;
   /// Of the crown, across and along the street.
   double crown_radius_m = 2.0;
-  /// Height of the lowest leaves.
+  /// Height of the crown's foot; the lowest leaves may hang 0.3 crown radii below it.
   double clear_m = 3.0;
   int num_leaves = 1200;
   int leaf = 0;
