@@ -53,6 +53,11 @@ ImportedView LoadView(const BenchmarkContext& context,
   return imported;
 }
 
+/// "128 floats".
+std::string KindText(const cv::Mat& rows) {
+  return fmt::format("{} {}", rows.cols, rows.type() == CV_8U ? "bytes" : "floats");
+}
+
 std::vector<int> AllRows(const Descriptors& descriptors) {
   std::vector<int> rows(descriptors.key_point_idx.size());
   std::iota(rows.begin(), rows.end(), 0);
@@ -118,10 +123,10 @@ UnitResult RunImportedUnit(const BenchmarkContext& context,
   const bool has_rows = !first.descriptors.rows.empty() && !second.descriptors.rows.empty();
   if (has_rows && (first.descriptors.rows.cols != second.descriptors.rows.cols ||
                    first.descriptors.rows.type() != second.descriptors.rows.type())) {
-    throw InputError("{}: expected descriptors of one kind, got {} and {} columns",
+    throw InputError("{}: expected descriptors of one kind, got {} and {}",
                      setting.files,
-                     first.descriptors.rows.cols,
-                     second.descriptors.rows.cols);
+                     KindText(first.descriptors.rows),
+                     KindText(second.descriptors.rows));
   }
   JudgedPair judged{first.judged,
                     second.judged,

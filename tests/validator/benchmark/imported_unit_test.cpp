@@ -3,6 +3,7 @@
 #include "renderer/core/file.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temp_folder.h"
+#include "tests/validator/benchmark/npz_builder.h"
 #include "tests/validator/test_sequence.h"
 #include "validator/benchmark/unit.h"
 
@@ -128,8 +129,17 @@ TEST_F(ImportedUnit, WithoutDescriptorsNothingIsAttempted) {
 TEST_F(ImportedUnit, DescriptorsOfTwoKindsAreRefused) {
   Write("front.csv", "x,y,d0,d1\n30,100,1,2\n");
   Write("rear.csv", "x,y,d0\n30,100,1\n");
+  EXPECT_THAT(
+      MessageOf<InputError>([&] { Run(); }),
+      HasSubstr("{camera}.csv: expected descriptors of one kind, got 2 floats and 1 floats"));
+  setting_.files = (folder_ / "{camera}.npz").string();
+  const auto points = [] {
+    return NpzBuilder().Add<float>("keypoints", "<f4", "(1, 2)", {30, 100});
+  };
+  Write("front.npz", points().Add<uint8_t>("descriptors", "|u1", "(1, 2)", {1, 2}).Bytes());
+  Write("rear.npz", points().Add<float>("descriptors", "<f4", "(1, 2)", {1, 2}).Bytes());
   EXPECT_THAT(MessageOf<InputError>([&] { Run(); }),
-              HasSubstr("{camera}.csv: expected descriptors of one kind, got 2 and 1 columns"));
+              HasSubstr("expected descriptors of one kind, got 2 bytes and 2 floats"));
 }
 
 }  // namespace
