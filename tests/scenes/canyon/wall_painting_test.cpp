@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenes/canyon/wall_painting.h"
 
+#include "tests/scenes/canyon/wall_test_support.h"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -8,16 +10,7 @@
 namespace pfseq {
 namespace {
 
-WallPainting PlainPainting(WallSurface surface) {
-  WallPainting painting;
-  painting.look.surface = surface;
-  painting.look.color = Rgb(0.7F, 0.65F, 0.6F);
-  painting.look.seed = 5;
-  painting.area = {{0, 4}, {3, 7}};
-  painting.eave_m = 7.0;
-  painting.texel_m = 0.02;
-  return painting;
-}
+WallPainting PlainPainting(WallSurface surface) { return PlainWall(surface, {{0, 4}, {3, 7}}); }
 
 /// Mean green of a part of a wall whose area starts at (0, 4), 3 m high.
 double MeanGreen(const Texture& texture, const Vec2d& low_m, const Vec2d& high_m) {
@@ -157,26 +150,6 @@ TEST(WallPainting, MapsOfAPhotographTiltTheNormalAndSetTheRoughness) {
   EXPECT_NEAR(mean(wall.roughness, 1), 51.0, 0.5);
   painting.photo.is_mirrored = true;
   EXPECT_NEAR(mean(Paint(painting).normal, 0) / 127.5 - 1.0, -0.6 / length, 0.02);
-}
-
-TEST(PaintSpots, AreSmallAndMostlyDarker) {
-  WallPainting painting = PlainPainting(WallSurface::kPlaster);
-  painting.area = {{0, 4}, {6, 10}};
-  WallCanvas canvas(painting.area.low_m, painting.area.high_m, 0.01);
-  const Rgb plain(0.5F, 0.5F, 0.5F);
-  canvas.ForEach(
-      canvas.LowM(), canvas.HighM(), [&](WallTexel& texel, const Vec2d&) { texel.color = plain; });
-  PaintSpots(painting, canvas);
-  int num_darker = 0;
-  int num_lighter = 0;
-  canvas.ForEach(canvas.LowM(), canvas.HighM(), [&](WallTexel& texel, const Vec2d&) {
-    num_darker += texel.color[1] < 0.48F ? 1 : 0;
-    num_lighter += texel.color[1] > 0.52F ? 1 : 0;
-  });
-  const double num_texels = static_cast<double>(canvas.WidthPx()) * canvas.HeightPx();
-  EXPECT_GT(num_darker, 1.5 * num_lighter);
-  EXPECT_GT((num_darker + num_lighter) / num_texels, 0.01);
-  EXPECT_LT((num_darker + num_lighter) / num_texels, 0.15);
 }
 
 }  // namespace
