@@ -19,7 +19,7 @@ namespace pfseq {
 namespace {
 
 /// Changes whenever the same input would give other records.
-constexpr std::string_view kFormat = "pfseq light 10";
+constexpr std::string_view kFormat = "pfseq light 11";
 
 /// Records near the cameras are this far apart in a street, and this share of the scene's size in
 /// a small one.
@@ -161,7 +161,7 @@ void CachedLight::Load() {
   const char* fault = nullptr;
   if (format != kFormat || key != key_) {
     fault = "belongs to another scene or version";
-  } else if (checksum != Sha256Hex(rest) || !store_.Load(rest)) {
+  } else if (checksum != Sha256Hex(rest) || !gatherer_.Load(rest) || !store_.Load(rest)) {
     fault = "is damaged (its checksum is wrong)";
   }
   if (fault != nullptr) {
@@ -223,7 +223,7 @@ void CachedLight::Save() {
   }
   // Another run may have kept more in the meantime.
   Load();
-  const std::string bytes = store_.Serialize();
+  const std::string bytes = gatherer_.Serialize() + store_.Serialize();
   WriteFileAtomically(CachePath(),
                       fmt::format("{}\n{}\n{}\n", kFormat, key_, Sha256Hex(bytes)) + bytes);
   num_saved_records_ = store_.NumRecords();

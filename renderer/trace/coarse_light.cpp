@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renderer/trace/coarse_light.h"
 
+#include "renderer/core/bytes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +18,13 @@ constexpr int kPathsPerPatch = 32;
 
 /// Cells along the edges of one triangle at most.
 constexpr int kMaxCells = 256;
+
+/// One side of a patch in the serialised light.
+struct StoredValue {
+  /// Place in CoarseLight::values_.
+  uint32_t value_idx = 0;
+  std::array<float, 3> irradiance{};
+};
 
 /// 0 to 5: the axis that a normal is nearest to, and its sign.
 int MainDirection(const Vec3f& normal) {
@@ -111,11 +120,15 @@ Rgb CoarseLight::Irradiance(uint32_t triangle_idx, float u, float v, bool is_fro
   }
   // Two threads may do this at once: both find the same.
   const Rgb irradiance = Compute(patch_idx, is_front);
+  Publish(irradiance, value);
+  return irradiance;
+}
+
+void CoarseLight::Publish(const Rgb& irradiance, Value& value) {
   value.red.store(irradiance[0], std::memory_order_relaxed);
   value.green.store(irradiance[1], std::memory_order_relaxed);
   value.blue.store(irradiance[2], std::memory_order_relaxed);
   value.is_ready.store(true, std::memory_order_release);
-  return irradiance;
 }
 
 Rgb CoarseLight::Compute(uint32_t patch_idx, bool is_front) const {
@@ -169,6 +182,48 @@ CoarseLight::PointEstimate CoarseLight::EstimateAt(const Part& part,
   const Vec3f normal = surfaces_.Normal(part.triangle_idx);
   point.geometric_normal = is_front ? normal : Vec3f(-normal);
   return estimate_(point.RayOriginM(), point.geometric_normal, random);
+}
+
+std::string CoarseLight::Serialize() const {
+  std::string values;
+  uint64_t num_ready = 0;
+  for (uint32_t i = 0; i < 2 * num_patches_; ++i) {
+    const Value& value = values_[i];
+    if (value.is_ready.load(std::memory_order_acquire)) {
+      AppendBytes(StoredValue{i,
+                              {value.red.load(std::memory_order_relaxed),
+                               value.green.load(std::memory_order_relaxed),
+                               value.blue.load(std::memory_order_relaxed)}},
+                  values);
+      ++num_ready;
+    }
+  }
+  std::string bytes;
+  AppendBytes(uint64_t{2 * num_patches_}, bytes);
+  AppendBytes(num_ready, bytes);
+  return bytes + values;
+}
+
+bool CoarseLight::Load(std::string_view& bytes) {
+  ByteReader reader(bytes);
+  uint64_t num_values = 0;
+  uint64_t num_ready = 0;
+  if (!reader.Take(num_values) || num_values != 2 * num_patches_ || !reader.Take(num_ready) ||
+      num_ready > num_values) {
+    return false;
+  }
+  std::vector<StoredValue> stored(num_ready);
+  for (StoredValue& value : stored) {
+    if (!reader.Take(value) || value.value_idx >= num_values) {
+      return false;
+    }
+  }
+  for (const StoredValue& value : stored) {
+    const auto& [red, green, blue] = value.irradiance;
+    Publish({red, green, blue}, values_[value.value_idx]);
+  }
+  bytes = reader.Rest();
+  return true;
 }
 
 int64_t CoarseLight::MemoryBytes() const {

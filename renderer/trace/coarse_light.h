@@ -8,6 +8,8 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace pfseq {
@@ -36,6 +38,11 @@ class CoarseLight {
 
   int64_t MemoryBytes() const;
 
+  /// All that was estimated as bytes and back. Load takes them off the front; it gives false, and
+  /// loads nothing, when they do not belong to patches of these triangles.
+  std::string Serialize() const;
+  bool Load(std::string_view& bytes);
+
  private:
   /// What one side of a patch gets; ready once state says so.
   struct Value {
@@ -53,6 +60,7 @@ class CoarseLight {
 
   uint32_t PatchOf(uint32_t triangle_idx, float u, float v) const;
   Rgb Compute(uint32_t patch_idx, bool is_front) const;
+  static void Publish(const Rgb& irradiance, Value& value);
   PointEstimate EstimateAt(const Part& part, bool is_front, RandomStream& random) const;
 
   const SurfaceTable& surfaces_;

@@ -114,6 +114,18 @@ LightGatherer::LightGatherer(const RayScene& rays,
   }
 }
 
+int LightGatherer::RaysAcross(ShareOfRays share) const {
+  switch (share) {
+    case ShareOfRays::kAll:
+      break;
+    case ShareOfRays::kQuarter:
+      return (rays_across_ / 4 + 1) / 2 * 4;
+    case ShareOfRays::kSixteenth:
+      return std::max(4, (rays_across_ / 8 + 1) / 2 * 4);
+  }
+  return rays_across_;
+}
+
 bool LightGatherer::IsSmooth(const ShadingPoint& point) const {
   return !point.IsLambertian() &&
          (point.parameters.roughness < kSmoothRoughness || point.parameters.metallic > kMetal);

@@ -11,6 +11,8 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace pfseq {
 
@@ -34,6 +36,9 @@ struct GatherOptions {
   float patch_m = 2.0F;
 };
 
+/// How many of a record's rays are used, about.
+enum class ShareOfRays : uint8_t { kAll, kQuarter, kSixteenth };
+
 /// Works out the light that a point on a surface gets from sky and surroundings, all but the sun's
 /// own disc: one step of final gathering (Jensen 1996, "Global Illumination using Photon Maps")
 /// over a coarse radiosity. Immutable but for the coarse light that it fills on demand.
@@ -46,13 +51,11 @@ class LightGatherer {
 
   /// `normal` is the unit normal of the surface on the side asked for, `key` chooses the random
   /// numbers.
-  GatheredLight Gather(const Vec3f& origin_m, const Vec3f& normal, uint64_t key) const {
-    return GatherBy(rays_across_, origin_m, normal, key);
-  }
-
-  /// The same by a quarter of the rays, about.
-  GatheredLight GatherByAQuarter(const Vec3f& origin_m, const Vec3f& normal, uint64_t key) const {
-    return GatherBy((rays_across_ / 4 + 1) / 2 * 4, origin_m, normal, key);
+  GatheredLight Gather(const Vec3f& origin_m,
+                       const Vec3f& normal,
+                       uint64_t key,
+                       ShareOfRays share = ShareOfRays::kAll) const {
+    return GatherBy(RaysAcross(share), origin_m, normal, key);
   }
 
   /// The same by 16 rays: unbiased, but noisy.
@@ -65,7 +68,13 @@ class LightGatherer {
 
   int64_t MemoryBytes() const { return coarse_.MemoryBytes(); }
 
+  /// As CoarseLight's, of the coarse light.
+  std::string Serialize() const { return coarse_.Serialize(); }
+  bool Load(std::string_view& bytes) { return coarse_.Load(bytes); }
+
  private:
+  /// Rows and columns of the grid of rays; multiples of 4.
+  int RaysAcross(ShareOfRays share) const;
   GatheredLight GatherBy(int rays_across,
                          const Vec3f& origin_m,
                          const Vec3f& normal,

@@ -16,6 +16,11 @@ namespace {
 /// Records stay this share of the spacing off the faces' edges.
 constexpr float kInsetShareOfSpacing = 0.04F;
 
+/// Cells of a grid for what is seen that are narrower than this many of its spacings, 1.4 of
+/// PFSeq's pixels on far surfaces, need fewer rays; those of any grid below half of it still fewer.
+constexpr float kNarrowInSpacings = 0.125F;
+constexpr float kTinyInSpacings = 0.0625F;
+
 /// What a buried record counts for beside others.
 constexpr float kBuriedWeight = 1e-4F;
 
@@ -71,6 +76,16 @@ class FastChange {
   int greatest_level_ = 0;
   int limit_in_levels_;
 };
+
+/// What a record needs that stands for a cell of this side. One of many in a pixel need not be good
+/// by itself, nor what is seen weakly or where light changes anyway.
+ShareOfRays ShareFor(float cell_in_spacings, bool is_grid_of_what_is_seen) {
+  if (cell_in_spacings < kTinyInSpacings) {
+    return ShareOfRays::kSixteenth;
+  }
+  return !is_grid_of_what_is_seen || cell_in_spacings < kNarrowInSpacings ? ShareOfRays::kQuarter
+                                                                          : ShareOfRays::kAll;
+}
 
 bool IsDark(const VectorIrradiance& light) {
   return (light.x.abs() + light.y.abs() + light.z.abs()).maxCoeff() <= 0.0F;
@@ -139,11 +154,20 @@ std::unique_ptr<LightStore::Face> LightStore::MakeFace(uint32_t face_idx,
     apexes = ParallelogramApexes(mesh, mesh.triangles[in_mesh], mesh.triangles[in_mesh + 1]);
   }
   const float scale = SpacingScale(detail);
+  float spacing_m = 0.0F;
   const auto spacing_at = [&](const Vec3f& middle_m, float size_m) {
-    return scale * SpacingAt(middle_m, size_m);
+    spacing_m = SpacingAt(middle_m, size_m);
+    return scale * spacing_m;
   };
-  auto face = std::make_unique<Face>(
-      Face{RecordGrid(surfaces_.CornersM(face_idx), apexes, spacing_at), 0, nullptr});
+  const std::array<Vec3f, 3> corners_m = surfaces_.CornersM(face_idx);
+  auto face = std::make_unique<Face>();
+  face->grid = RecordGrid(corners_m, apexes, spacing_at);
+  const float double_area = (corners_m[1] - corners_m[0]).cross(corners_m[2] - corners_m[0]).norm();
+  const float area = apexes.has_value() ? double_area : 0.5F * double_area;
+  const uint32_t num_records = face->grid.NumRecords();
+  const float cell_m = std::sqrt(area / static_cast<float>(num_records));
+  face->share_of_rays =
+      ShareFor(cell_m / spacing_m, detail == LightDetail::kSeen && num_records > 1);
   face->num_pages = (face->grid.NumRecords() + kRecordsPerPage - 1) / kRecordsPerPage;
   face->pages = std::make_unique<std::atomic<Page*>[]>(2 * size_t{face->num_pages});
   return face;
@@ -209,11 +233,10 @@ LightRecord LightStore::ComputeRecord(const Face& face, const RecordId& id) cons
                                 id.record_idx,
                                 id.is_front ? 0ULL : 1ULL,
                                 static_cast<uint64_t>(id.detail)});
-  // What is small in the picture or weak needs less.
-  const auto gather = face.grid.NumRecords() == 1 || id.detail != LightDetail::kSeen
-                          ? &LightGatherer::GatherByAQuarter
-                          : &LightGatherer::Gather;
-  GatheredLight gathered = (gatherer_.*gather)(point.RayOriginM(), point.geometric_normal, key);
+  const auto gather = [&](const ShadingPoint& place) {
+    return gatherer_.Gather(place.RayOriginM(), place.geometric_normal, key, face.share_of_rays);
+  };
+  GatheredLight gathered = gather(point);
   const bool is_beside_body = gathered.is_buried;
   if (is_beside_body) {
     // What shows of the face may lie between its records, all of them behind mouldings.
@@ -229,7 +252,7 @@ LightRecord LightStore::ComputeRecord(const Face& face, const RecordId& id) cons
       }
     }
     if (least_from_behind < 0.5F) {
-      gathered = (gatherer_.*gather)(best.RayOriginM(), best.geometric_normal, key);
+      gathered = gather(best);
     }
   }
   return LightRecord(gathered, point.geometric_normal, is_beside_body);

@@ -99,6 +99,7 @@ class LightStore {
   /// The grid of a triangle or parallelogram and the pages of its two sides.
   struct Face {
     RecordGrid grid;
+    ShareOfRays share_of_rays = ShareOfRays::kAll;
     uint32_t num_pages = 0;
     std::unique_ptr<std::atomic<Page*>[]> pages;
   };

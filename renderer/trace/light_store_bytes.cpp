@@ -1,35 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stored light as bytes and back.
+#include "renderer/core/bytes.h"
 #include "renderer/trace/light_store.h"
-
-#include <cstring>
 
 namespace pfseq {
 namespace {
-
-template <typename T>
-void Append(const T& value, std::string& bytes) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
-}
-
-/// Takes values off the front of a text of bytes.
-class ByteReader {
- public:
-  explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
-  template <typename T>
-  bool Take(T& value) {
-    if (bytes_.size() < sizeof(T)) {
-      return false;
-    }
-    std::memcpy(&value, bytes_.data(), sizeof(T));
-    bytes_.remove_prefix(sizeof(T));
-    return true;
-  }
-  bool IsAtEnd() const { return bytes_.empty(); }
-
- private:
-  std::string_view bytes_;
-};
 
 /// How a page lies in the serialised store.
 struct PageHeader {
@@ -42,7 +17,7 @@ struct PageHeader {
 
 std::string LightStore::Serialize() const {
   std::string bytes;
-  Append(static_cast<uint64_t>(NumTriangles()), bytes);
+  AppendBytes(static_cast<uint64_t>(NumTriangles()), bytes);
   for (size_t slot = 0; slot < faces_.size(); ++slot) {
     const Face* face = faces_[slot].load(std::memory_order_acquire);
     for (uint32_t page_idx = 0; face != nullptr && page_idx < 2 * face->num_pages; ++page_idx) {
@@ -57,11 +32,11 @@ std::string LightStore::Serialize() const {
       if (ready == 0) {
         continue;
       }
-      Append(PageHeader{static_cast<uint32_t>(slot), page_idx}, bytes);
-      Append(ready, bytes);
+      AppendBytes(PageHeader{static_cast<uint32_t>(slot), page_idx}, bytes);
+      AppendBytes(ready, bytes);
       for (size_t i = 0; i < kRecordsPerPage; ++i) {
         if ((ready >> i & 1U) != 0) {
-          Append(page->records[i], bytes);
+          AppendBytes(page->records[i], bytes);
         }
       }
     }

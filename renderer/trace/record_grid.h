@@ -26,6 +26,8 @@ class RecordGrid {
   /// The distance of the records for a face of this middle and size.
   using SpacingM = std::function<float(const Vec3f& middle_m, float size_m)>;
 
+  /// One record for the whole of any face.
+  RecordGrid() = default;
   /// `apexes` are those of the parallelogram that the triangle is the first half of, if it is.
   RecordGrid(const std::array<Vec3f, 3>& corners_m,
              const std::optional<std::array<uint8_t, 2>>& apexes,
@@ -75,7 +77,7 @@ class RecordGrid {
   bool is_turned_ = false;
   /// 0: one record stands for the whole face.
   uint16_t num_rows_ = 0;
-  uint32_t num_records_ = 0;
+  uint32_t num_records_ = 1;
   /// First record of each row, and the end.
   std::unique_ptr<uint32_t[]> row_start_;
 };

@@ -94,5 +94,45 @@ TEST(CoarseLight, LargeTrianglesAreCutIntoCells) {
   }));
 }
 
+TEST(CoarseLight, LoadedIsNotEstimatedAgain) {
+  const Scene square = PlaneOf({{Vec2f(0.0F, 0.0F), Vec2f(1.0F, 0.0F), Vec2f(1.0F, 1.0F)},
+                                {Vec2f(0.0F, 0.0F), Vec2f(9.0F, 9.0F), Vec2f(0.0F, 9.0F)}});
+  PlaceLight first(square, 1.0F);
+  const Rgb small = first.light.Irradiance(0, 0.3F, 0.3F, true);
+  const Rgb cell = first.light.Irradiance(1, 0.1F, 0.7F, false);
+  const std::string bytes = first.light.Serialize() + "rest";
+
+  PlaceLight second(square, 1.0F);
+  std::string_view rest = bytes;
+  ASSERT_TRUE(second.light.Load(rest));
+  EXPECT_EQ(rest, "rest");
+  EXPECT_TRUE((second.light.Irradiance(0, 0.3F, 0.3F, true) == small).all());
+  EXPECT_TRUE((second.light.Irradiance(1, 0.1F, 0.7F, false) == cell).all());
+  EXPECT_TRUE(second.places.empty());
+  second.light.Irradiance(0, 0.3F, 0.3F, false);
+  EXPECT_FALSE(second.places.empty()) << "a side that was not there was taken for one that was";
+}
+
+TEST(CoarseLight, RefusesBytesThatAreNotItsOwnAndLoadsNothing) {
+  const std::array<Vec2f, 3> corners = {Vec2f(0.0F, 0.0F), Vec2f(1.0F, 0.0F), Vec2f(1.0F, 1.0F)};
+  PlaceLight first(PlaneOf({corners}), 2.0F);
+  first.light.Irradiance(0, 0.3F, 0.3F, true);
+  const std::string bytes = first.light.Serialize();
+  std::string beyond = bytes;
+  beyond[2 * sizeof(uint64_t)] = 2;
+  for (const std::string& wrong : {beyond, bytes.substr(0, bytes.size() - 1), std::string()}) {
+    PlaceLight second(PlaneOf({corners}), 2.0F);
+    std::string_view rest = wrong;
+    EXPECT_FALSE(second.light.Load(rest));
+    EXPECT_EQ(rest, wrong);
+    second.light.Irradiance(0, 0.3F, 0.3F, true);
+    EXPECT_FALSE(second.places.empty());
+  }
+  PlaceLight other(PlaneOf({corners, {Vec2f(3.0F, 0.0F), Vec2f(4.0F, 0.0F), Vec2f(4.0F, 1.0F)}}),
+                   2.0F);
+  std::string_view rest = bytes;
+  EXPECT_FALSE(other.light.Load(rest));
+}
+
 }  // namespace
 }  // namespace pfseq

@@ -98,6 +98,31 @@ TEST(LightGatherer, OneRecordIsGoodToTwoPercentUnderAConstantSky) {
   }
 }
 
+TEST(LightGatherer, FewerRaysAreNoisierButRightInTheMean) {
+  const GatheredScene lit(SceneOf({FloorMesh(10.0F, 0)}, {LambertianMaterial(Rgb::Ones())}),
+                          ConstantSkyLight(Rgb::Ones()));
+  constexpr int kNumRecords = 400;
+  float less_noise = 0.0F;
+  for (const ShareOfRays share :
+       {ShareOfRays::kAll, ShareOfRays::kQuarter, ShareOfRays::kSixteenth}) {
+    float sum = 0.0F;
+    float sum_of_squares = 0.0F;
+    for (int key = 0; key < kNumRecords; ++key) {
+      const float error =
+          lit.gatherer
+              .Gather({0.0F, 0.0F, 3000.0F}, Vec3f::UnitZ(), static_cast<uint64_t>(key), share)
+              .light.z[0] -
+          kPi;
+      sum += error;
+      sum_of_squares += error * error;
+    }
+    const float noise = std::sqrt(sum_of_squares / kNumRecords);
+    EXPECT_GT(noise, 1.5F * less_noise);
+    EXPECT_NEAR(sum / kNumRecords, 0.0F, 4.0F * noise / std::sqrt(1.0F * kNumRecords));
+    less_noise = noise;
+  }
+}
+
 TEST(LightGatherer, WallOnBlackGroundGetsHalfTheSky) {
   // A quarter of the sphere: pi / 2 along the wall's normal, and as much upward.
   const GatheredScene lit(

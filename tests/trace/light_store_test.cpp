@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -329,6 +330,40 @@ TEST(LightStore, SmallFacesHaveTheSameRecordForBoth) {
                        stored.store.Lookup(point, LightDetail::kReflected)));
   }
   EXPECT_TRUE(stored.Missing(stored.Points(50)).empty());
+}
+
+TEST(LightStore, RecordsOfSmallCellsNeedFewerRays) {
+  // Squares far from each other under a constant sky: their light differs by its noise alone.
+  constexpr uint32_t kNumSquares = 100;
+  constexpr float kSide_m = 0.5F;
+  Scene scene;
+  scene.materials = {LambertianMaterial(Rgb::Zero())};
+  for (uint32_t i = 0; i < kNumSquares; ++i) {
+    scene.meshes.push_back(ParallelogramMesh({50.0F * static_cast<float>(i), 0.0F, 0.0F},
+                                             {kSide_m, 0.0F, 0.0F},
+                                             {0.0F, kSide_m, 0.0F},
+                                             0));
+  }
+  const GatheredScene lit(scene, ConstantSkyLight(Rgb::Ones()));
+  const auto noise_at = [&](float spacing_m, LightDetail detail) {
+    LightStore store(lit.surfaces, lit.gatherer, Spacing(spacing_m));
+    float sum_of_squares = 0.0F;
+    for (uint32_t i = 0; i < kNumSquares; ++i) {
+      // A corner, where the light is that of one record.
+      ShadingPoint corner = FloorPoint(0.0F, 0.0F);
+      corner.triangle_idx += 2 * i;
+      const float error = store.Lookup(corner, detail).z[0] - std::numbers::pi_v<float>;
+      sum_of_squares += error * error;
+    }
+    return std::sqrt(sum_of_squares / kNumSquares);
+  };
+  // Squares of four records; one for all, seen by reflection; for a twelfth and a twentieth of the
+  // spacing.
+  const float all = noise_at(0.6F, LightDetail::kSeen);
+  EXPECT_GT(noise_at(0.6F, LightDetail::kReflected), 1.5F * all);
+  const float quarter = noise_at(6.0F, LightDetail::kSeen);
+  EXPECT_GT(quarter, 1.5F * all);
+  EXPECT_GT(noise_at(10.0F, LightDetail::kSeen), 1.5F * quarter);
 }
 
 }  // namespace
