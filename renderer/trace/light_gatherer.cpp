@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace pfseq {
 namespace {
@@ -50,23 +52,63 @@ struct Frame {
   Vec3f normal;
 };
 
+/// A point in each cell of a grid of n x n over the unit square, so that each of n^2 rows and of
+/// n^2 columns has one too: Chiu, Shirley and Wang 1994, "Multi-jittered Sampling" (Graphics Gems
+/// IV), with shuffles that go through each column and row as well. Roofs and eaves are edges nearly
+/// along the rows and columns of the hemisphere.
+class MultiJitteredGrid {
+ public:
+  MultiJitteredGrid(int n, RandomStream& random) : n_(n), shuffled_(2 * static_cast<size_t>(n)) {
+    for (int i = 0; i < n; ++i) {
+      shuffled_[static_cast<size_t>(i)] = Vec2f::Constant(static_cast<float>(i));
+    }
+    for (int i = n - 1; i > 0; --i) {
+      Vec2f& last = shuffled_[static_cast<size_t>(i)];
+      std::swap(last.x(), shuffled_[static_cast<size_t>(random.Integer(0, i))].x());
+      std::swap(last.y(), shuffled_[static_cast<size_t>(random.Integer(0, i))].y());
+    }
+    std::copy_n(shuffled_.begin(), n, shuffled_.begin() + n);
+  }
+
+  int CellsAcross() const { return n_; }
+
+  /// The point of a cell, in cells along rows and columns.
+  Vec2f At(int row, int column, RandomStream& jitter) const {
+    const Vec2f in_cell(shuffled_[static_cast<size_t>(row + column)].x(),
+                        shuffled_[static_cast<size_t>(row - column + n_)].y());
+    const auto u = static_cast<float>(jitter.Uniform());
+    const auto v = static_cast<float>(jitter.Uniform());
+    return Vec2f(static_cast<float>(row), static_cast<float>(column)) +
+           (in_cell + Vec2f(u, v)) / static_cast<float>(n_);
+  }
+
+ private:
+  int n_;
+  /// Two permutations of 0 to n - 1, twice, for what runs over the end.
+  std::vector<Vec2f> shuffled_;
+};
+
 /// The directions of a packet and what each counts for the integral over the hemisphere.
 struct BundleOfRays {
   Vec3x8 directions;
   std::array<float, kPacketSize> weights;
 };
 
-/// Two rows of height by four columns of azimuth of a grid of n x n strata over the hemisphere.
-BundleOfRays SampleBundle(
-    const Frame& frame, int height_start, int azimuth_start, int n, RandomStream& jitter) {
+/// Two rows of height by four columns of azimuth of a grid of strata over the hemisphere.
+BundleOfRays SampleBundle(const Frame& frame,
+                          const MultiJitteredGrid& grid,
+                          int height_start,
+                          int azimuth_start,
+                          RandomStream& jitter) {
   std::array<float, kPacketSize> first;
   std::array<float, kPacketSize> second;
   for (int i = 0; i < kPacketSize; ++i) {
     const auto lane = static_cast<size_t>(i);
-    first[lane] = static_cast<float>(height_start + i / 4) + static_cast<float>(jitter.Uniform());
-    second[lane] = static_cast<float>(azimuth_start + i % 4) + static_cast<float>(jitter.Uniform());
+    const Vec2f point = grid.At(height_start + i / 4, azimuth_start + i % 4, jitter);
+    first[lane] = point.x();
+    second[lane] = point.y();
   }
-  const float share = 1.0F / static_cast<float>(n);
+  const float share = 1.0F / static_cast<float>(grid.CellsAcross());
   // The inverse of the running integral of 2 pi (z + c) / (pi (1 + 2 c)) over z.
   constexpr float kNorm = 1.0F + 2.0F * kDensityOffset;
   const Float8 z = Min(
@@ -338,9 +380,10 @@ float LightGatherer::ShareFromBehind(const Vec3f& origin_m,
   constexpr int kStrata = 4;
   const Frame frame(normal);
   RandomStream jitter(key);
+  const MultiJitteredGrid grid(kStrata, jitter);
   int num_from_behind = 0;
   for (int height_start = 0; height_start < kStrata; height_start += 2) {
-    const BundleOfRays bundle = SampleBundle(frame, height_start, 0, kStrata, jitter);
+    const BundleOfRays bundle = SampleBundle(frame, grid, height_start, 0, jitter);
     const RayPacket packet = MakeRayPacket(Broadcast(origin_m), bundle.directions, kAllLanes);
     HitPacket hits;
     rays_.Intersect(packet, Coherence::kIncoherent, hits);
@@ -361,13 +404,14 @@ GatheredLight LightGatherer::GatherBy(int rays_across,
   // What the footprint of one ray is at unit distance.
   const float spread = std::sqrt(2.0F * std::numbers::pi_v<float>) / static_cast<float>(n);
   RandomStream jitter(key);
+  const MultiJitteredGrid grid(n, jitter);
   VectorIrradiance sum;
   int num_from_behind = 0;
   for (int block = 0; block < n * n / kPacketSize; ++block) {
     // Four neighbours in azimuth by two in height: a packet's rays go nearly the same way.
     const int azimuth_start = block % (n / 4) * 4;
     const int height_start = block / (n / 4) * 2;
-    const BundleOfRays bundle = SampleBundle(frame, height_start, azimuth_start, n, jitter);
+    const BundleOfRays bundle = SampleBundle(frame, grid, height_start, azimuth_start, jitter);
     const RayPacket packet = MakeRayPacket(Broadcast(origin_m), bundle.directions, kAllLanes);
     HitPacket hits;
     rays_.Intersect(packet, Coherence::kCoherent, hits);
