@@ -29,6 +29,10 @@ tracer ("path").
 The ratio of costs at equal error is Cycles' cost divided by pfseq's. Cycles' cost at pfseq's error comes from fits to
 its measured points: error = a N^-p (logarithms, least squares) and cost = b N + c. "extrapolated" is what lies outside.
 
+With --record the errors are those of noise, half the squared difference of two seeds, and pfseq's cached light has its
+squared bias beside it, mean((I - P)(J - Q) / (R^2 + 0.01)) of two records I, J and two by paths P, Q, in which all noise
+falls out; the ratio is printed for the noise alone and for both together.
+
 "if only noise differed": the same share for two images of which each is half pfseq's and half Cycles'.
 
 Written to --out: comparison.txt (the table); without --record also runs.csv, comparison.json, difference_LENS_CAMERA.png (pfseq / Cycles - 1,
@@ -68,8 +72,11 @@ def parse_arguments():
                         "frames, Cycles' motion blur between the camera's first and last pose")
     parser.add_argument("--record", action="store_true",
                         help="measure all lenses and cameras of the frames together, with distance maps, "
-                        "and the light by itself; errors are those of noise, from two seeds; --lenses and --cameras default "
-                        "to all")
+                        "and the light by itself; errors are those of noise, from two seeds, and the squared bias of cached "
+                        "light; --lenses and --cameras default to all")
+    parser.add_argument("--record-path-spp", type=whole(0, 1_000_000), default=24, metavar="N",
+                        help="samples of each of two records by pfseq's paths, which tell that bias; 0: leave it out "
+                        "(default: 24)")
     parser.add_argument("--spp-list", type=int_list(1, 1_000_000), default=[16, 64, 256], metavar="N,N,...",
                         help="samples of a pixel for Cycles, at least two (default: 16,64,256)")
     parser.add_argument("--pfseq-spp-list", type=int_list(1, 1_000_000), metavar="N,N,...",
@@ -166,7 +173,7 @@ def compare(options, work):
             f"{options.materials}, {options.threads} threads\n\n")
     if options.record:
         folder, _ = pfseq.distances(rows[0], options.frames, work / "truth")
-        measured = record.RecordComparison(options, rows, options.frames, pfseq, make_cycles(folder), folder)
+        measured = record.RecordComparison(options, rows, options.frames, pfseq, pfseq_path, make_cycles(folder), folder)
         text = head + record.record_text(measured.measure())
         (out / "comparison.txt").write_text(text)
         print(text + f"\nresults in {out}")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures a record: all lenses and cameras of the frames together, with distance maps.
 
-Errors are those of noise: two renders with different seeds differ by nothing else. What a program converges to, the
-comparison of single rows tells.
+Errors are those of noise: two renders with different seeds differ by nothing else. pfseq's cached light has a bias as well,
+against its own paths. What Cycles converges to, the comparison of single rows tells.
 """
 
 import dataclasses
@@ -38,16 +38,19 @@ class RecordResult:
     start_cpu_s: dict
     points: list
     curves: dict
+    # Mean of the images' squared bias by cached light; None: not measured.
+    squared_bias: float | None
 
 
 class RecordComparison:
     """`truth` is the sequence's folder; rows are all pairs of lenses and cameras."""
 
-    def __init__(self, options, rows, frames, pfseq, cycles, folder):
+    def __init__(self, options, rows, frames, pfseq, pfseq_path, cycles, folder):
         self._options = options
         self._rows = rows
         self._frames = frames
         self._pfseq = pfseq
+        self._pfseq_path = pfseq_path
         self._cycles = cycles
         self._masks = {row: comparison.measured_pixels(folder, row, frames, options.motion_blur) for row in rows}
 
@@ -63,6 +66,15 @@ class RecordComparison:
         return Point(renderer.name, num_samples,
                      statistics.fmean(usage.cpu_s - usage.num_processes * start_cpu_s for usage, _ in runs),
                      max(usage.peak_mib for usage, _ in runs), statistics.fmean(row_errors))
+
+    def _squared_bias(self, cached, scale):
+        num_samples = self._options.record_path_spp
+        if num_samples == 0 or self._pfseq.light != "cached":
+            return None
+        paths = [self._render(self._pfseq_path, num_samples, seed)[1] for seed in SEEDS]
+        return statistics.fmean(errors.squared_bias([images[row] for images in cached], [images[row] for images in paths],
+                                                    scale[row], mask)
+                                for row, mask in self._masks.items())
 
     def measure(self):
         """Both programs in turn. Before pfseq is measured with a seed, a run with it computes the light that it needs."""
@@ -86,7 +98,8 @@ class RecordComparison:
             own = [p for p in points if p.renderer == renderer.name]
             curves[renderer.name] = errors.CostCurve.fit([p.num_samples for p in own], [p.cpu_s for p in own],
                                                          [p.error for p in own])
-        return RecordResult(self._rows, len(self._frames), light_cpu_s, start_cpu_s, points, curves)
+        squared_bias = self._squared_bias([images for _, images in best], scale)
+        return RecordResult(self._rows, len(self._frames), light_cpu_s, start_cpu_s, points, curves, squared_bias)
 
 
 def record_text(result):
@@ -100,12 +113,18 @@ def record_text(result):
         lines.append(f"  {p.renderer:12s} {p.num_samples:8d} {p.cpu_s:13.2f} {p.peak_mib:9.0f} {p.error:14.6f}")
     cycles = [p for p in result.points if p.renderer == "Cycles"]
     curve = result.curves["Cycles"]
+    if result.squared_bias is not None:
+        lines.append(f"  squared bias of pfseq cached against pfseq path: {result.squared_bias:.6f}")
     lines += ["", "Cycles at pfseq's errors:"]
+    biases = {"noise": 0.0} if result.squared_bias is None else {"noise": 0.0, "noise and bias": result.squared_bias}
     for p in result.points:
-        if p.renderer != "Cycles" and curve.is_usable:
-            cycles_cpu_s = curve.cost_at(p.error)
-            is_measured = min(c.error for c in cycles) <= p.error <= max(c.error for c in cycles)
-            lines.append(f"  {p.num_samples:6d} samples of pfseq, relMSE {p.error:.6f}: pfseq {p.cpu_s:.1f} CPU-s, Cycles"
+        if p.renderer == "Cycles" or not curve.is_usable:
+            continue
+        for name, squared_bias in biases.items():
+            error = p.error + squared_bias
+            cycles_cpu_s = curve.cost_at(error)
+            is_measured = min(c.error for c in cycles) <= error <= max(c.error for c in cycles)
+            lines.append(f"  {p.num_samples:6d} samples of pfseq, relMSE {error:.6f} ({name}): pfseq {p.cpu_s:.1f} CPU-s, Cycles"
                          f" {cycles_cpu_s:.0f}: ratio {cycles_cpu_s / max(p.cpu_s, 1e-3):.1f}"
                          f"{'' if is_measured else ' (extrapolated)'}")
     for name, c in result.curves.items():
