@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validator/benchmark/stage_store.h"
 
-#include "renderer/core/error.h"
+#include "renderer/core/bytes.h"
 #include "renderer/core/file.h"
 
 #include <array>
-#include <cstring>
 #include <mutex>
-#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -17,40 +15,6 @@ namespace {
 /// Changes whenever a stage of the same inputs would come out differently.
 constexpr const char* kVersion = "pfseq stage 1 " PFSEQ_VERSION;
 constexpr size_t kHashDigits = 64;
-
-/// Plain values one after the other.
-class ByteWriter {
- public:
-  template <typename T>
-  void Put(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* bytes = reinterpret_cast<const char*>(&value);
-    bytes_.append(bytes, sizeof(T));
-  }
-  const std::string& Bytes() const { return bytes_; }
-
- private:
-  std::string bytes_;
-};
-
-class ByteReader {
- public:
-  explicit ByteReader(const std::string& bytes) : bytes_(bytes) {}
-
-  template <typename T>
-  bool Take(T& value) {
-    if (bytes_.size() - next_ < sizeof(T)) {
-      return false;
-    }
-    std::memcpy(&value, bytes_.data() + next_, sizeof(T));
-    next_ += sizeof(T);
-    return true;
-  }
-
- private:
-  const std::string& bytes_;
-  size_t next_ = 0;
-};
 
 /// A key point as stored.
 struct StoredPoint {
@@ -114,20 +78,21 @@ std::optional<FamilyKeyPoints> StageStore::LoadKeyPoints(const std::string& key)
 }
 
 void StageStore::SaveKeyPoints(const std::string& key, const FamilyKeyPoints& family) const {
-  ByteWriter writer;
+  std::string bytes;
   for (size_t i = 0; i < family.points.size(); ++i) {
     const cv::KeyPoint& point = family.points[i];
-    writer.Put(StoredPoint{point.pt.x,
-                           point.pt.y,
-                           point.size,
-                           point.angle,
-                           point.response,
-                           point.octave,
-                           point.class_id,
-                           0,
-                           family.members[i]});
+    AppendBytes(StoredPoint{point.pt.x,
+                            point.pt.y,
+                            point.size,
+                            point.angle,
+                            point.response,
+                            point.octave,
+                            point.class_id,
+                            0,
+                            family.members[i]},
+                bytes);
   }
-  Save(key, ".points", writer.Bytes());
+  Save(key, ".points", bytes);
 }
 
 std::optional<MatchLists> StageStore::LoadMatches(const std::string& key) const {
@@ -149,14 +114,14 @@ std::optional<MatchLists> StageStore::LoadMatches(const std::string& key) const 
 }
 
 void StageStore::SaveMatches(const std::string& key, const MatchLists& lists) const {
-  ByteWriter writer;
+  std::string bytes;
   for (const auto& list : lists) {
-    writer.Put(static_cast<uint64_t>(list.size()));
+    AppendBytes(static_cast<uint64_t>(list.size()), bytes);
     for (const auto& [first, second] : list) {
-      writer.Put(std::array<int32_t, 2>{first, second});
+      AppendBytes(std::array<int32_t, 2>{first, second}, bytes);
     }
   }
-  Save(key, ".matches", writer.Bytes());
+  Save(key, ".matches", bytes);
 }
 
 }  // namespace pfseq
