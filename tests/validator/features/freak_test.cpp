@@ -7,22 +7,11 @@
 #include "validator/matching/match.h"
 
 #include <cmath>
-#include <set>
 
 #include <gtest/gtest.h>
 
 namespace pfseq {
 namespace {
-
-TEST(Freak, PairsAreDifferentAndOfThePattern) {
-  std::set<std::pair<int, int>> pairs;
-  for (const FreakPair& pair : kFreakPairs) {
-    EXPECT_LT(pair.first, kNumFreakFields);
-    EXPECT_LT(pair.second, pair.first);
-    pairs.emplace(pair.first, pair.second);
-  }
-  EXPECT_EQ(pairs.size(), static_cast<size_t>(kNumFreakPairs));
-}
 
 TEST(Freak, FieldsSeeTheirPlaces) {
   // Dark left of the centre, bright right of it: field 0 lies at 0 degrees, 3 opposite.
