@@ -19,7 +19,7 @@ namespace pfseq {
 namespace {
 
 /// Changes whenever the same input would give other records.
-constexpr std::string_view kFormat = "pfseq light 12";
+constexpr std::string_view kFormat = "pfseq light 13";
 
 /// Records near the cameras are this far apart in a street, and this share of the scene's size in
 /// a small one.

@@ -34,20 +34,17 @@ Rgb8 TiltedIrradiance(const LightPacket& light, const ScatterPacket& surface) {
   return Max(irradiance, Rgb8{});
 }
 
-/// Mean radiance over a wide specular lobe, of the linear field of radiance that has the light's
-/// first moments.
-Rgb8 LobeRadiance(const LightPacket& light, const ScatterPacket& surface, const Rgb8& irradiance) {
-  const Vec3x8& normal = surface.normal;
-  const Vec3x8 mirrored = (2.0F * surface.viewer_cosine) * normal - surface.to_viewer;
-  // The lobe's main direction: Lagarde and de Rousiers 2014, "Moving Frostbite to Physically Based
-  // Rendering", section 4.9.3.
-  const Float8 smoothness = Max(Min(1.0F - surface.roughness, 1.0F), 0.0F);
-  const Float8 share = smoothness * (Sqrt(smoothness) + surface.roughness);
-  const Vec3x8 lobe = Normalized((1.0F - share) * normal + share * mirrored);
-  const Vec3x8 in_plane = lobe - Dot(lobe, surface.geometric_normal) * surface.geometric_normal;
+/// What a wide specular lobe reflects of the linear field of radiance that has the light's first
+/// moments.
+Rgb8 LobeLight(const LightPacket& light, const ScatterPacket& surface, const Rgb8& irradiance) {
+  const Vec3x8 forward = surface.Forward();
+  const Vec3x8 in_plane =
+      forward - Dot(forward, surface.geometric_normal) * surface.geometric_normal;
+  const Rgb8 of_mean = Float8(kInversePi) * (surface.SpecularReflectance() * irradiance);
   // Of radiance L = a + b . w over the hemisphere, the in-plane moments are 2 pi / 3 b.
-  const Rgb8 mean = Float8(kInversePi) * irradiance;
-  return Max(mean + Float8(1.5F * kInversePi) * light.Along(in_plane), Float8(0.2F) * mean);
+  const Rgb8 of_slope =
+      Float8(1.5F * kInversePi) * (surface.SpecularForward() * light.Along(in_plane));
+  return Max(of_mean + of_slope, Float8(0.2F) * of_mean);
 }
 
 /// The lanes whose specular lobe is traced.
@@ -138,8 +135,7 @@ Rgb8 CachedLightTracer::ReflectedLight(const std::array<ShadingPoint, kPacketSiz
   const Rgb8 irradiance = TiltedIrradiance(stored, surface);
   Rgb8 light = Float8(kInversePi) * (surface.DiffuseReflectance() * irradiance);
   if ((surface.is_specular.Bits() & ~is_traced.Bits() & active) != 0) {
-    const Rgb8 lobe = surface.SpecularReflectance() * LobeRadiance(stored, surface, irradiance);
-    light = light + Select(is_traced, Rgb8{}, lobe);
+    light = light + Select(is_traced, Rgb8{}, LobeLight(stored, surface, irradiance));
   }
   return lighting_.sun.has_value() ? light + SunLight(surface, active, vertex_idx, packet) : light;
 }

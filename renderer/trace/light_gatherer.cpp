@@ -407,6 +407,7 @@ GatheredLight LightGatherer::GatherBy(int rays_across,
   const MultiJitteredGrid grid(n, jitter);
   VectorIrradiance sum;
   int num_from_behind = 0;
+  float sum_of_inverse_distances = 0.0F;
   for (int block = 0; block < n * n / kPacketSize; ++block) {
     // Four neighbours in azimuth by two in height: a packet's rays go nearly the same way.
     const int azimuth_start = block % (n / 4) * 4;
@@ -428,6 +429,7 @@ GatheredLight LightGatherer::GatherBy(int rays_across,
                               spread * hit.distance_m,
                               options_.min_indirect_roughness);
       num_from_behind += point.is_front ? 0 : 1;
+      sum_of_inverse_distances += 1.0F / hit.distance_m;
       if (!(hit.distance_m < options_.near_m) && options_.max_bounces >= 2) {
         far |= 1U << i;
       }
@@ -456,7 +458,8 @@ GatheredLight LightGatherer::GatherBy(int rays_across,
       sum.z += light * direction.z();
     }
   }
-  return {sum, 2 * num_from_behind > n * n};
+  const auto num_rays = static_cast<float>(n * n);
+  return {sum, 2 * num_from_behind > n * n, num_rays / sum_of_inverse_distances};
 }
 
 }  // namespace pfseq

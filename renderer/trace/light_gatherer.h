@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,9 @@ struct GatheredLight {
   VectorIrradiance light;
   /// Most of what the point sees it sees from behind: it lies within a body.
   bool is_buried = false;
+  /// Harmonic mean distance of what the point sees: how far light stays about the same (Ward,
+  /// Rubinstein and Clear 1988, "A Ray Tracing Solution for Diffuse Interreflection").
+  float mean_distance_m = std::numeric_limits<float>::infinity();
 };
 
 struct GatherOptions {

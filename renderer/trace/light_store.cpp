@@ -21,6 +21,9 @@ constexpr float kInsetShareOfSpacing = 0.04F;
 constexpr float kNarrowInSpacings = 0.125F;
 constexpr float kTinyInSpacings = 0.0625F;
 
+/// Nearer surfaces around a record, in cells, and light changes too fast for its grid.
+constexpr float kContactInCells = 0.5F;
+
 /// What a buried record counts for beside others.
 constexpr float kBuriedWeight = 1e-4F;
 
@@ -165,9 +168,9 @@ std::unique_ptr<LightStore::Face> LightStore::MakeFace(uint32_t face_idx,
   const float double_area = (corners_m[1] - corners_m[0]).cross(corners_m[2] - corners_m[0]).norm();
   const float area = apexes.has_value() ? double_area : 0.5F * double_area;
   const uint32_t num_records = face->grid.NumRecords();
-  const float cell_m = std::sqrt(area / static_cast<float>(num_records));
+  face->cell_m = std::sqrt(area / static_cast<float>(num_records));
   face->share_of_rays =
-      ShareFor(cell_m / spacing_m, detail == LightDetail::kSeen && num_records > 1);
+      ShareFor(face->cell_m / spacing_m, detail == LightDetail::kSeen && num_records > 1);
   face->num_pages = (face->grid.NumRecords() + kRecordsPerPage - 1) / kRecordsPerPage;
   face->pages = std::make_unique<std::atomic<Page*>[]>(2 * size_t{face->num_pages});
   return face;
@@ -237,8 +240,9 @@ LightRecord LightStore::ComputeRecord(const Face& face, const RecordId& id) cons
     return gatherer_.Gather(place.RayOriginM(), place.geometric_normal, key, face.share_of_rays);
   };
   GatheredLight gathered = gather(point);
-  const bool is_beside_body = gathered.is_buried;
-  if (is_beside_body) {
+  const bool is_beside_body =
+      gathered.is_buried || gathered.mean_distance_m < kContactInCells * face.cell_m;
+  if (gathered.is_buried) {
     // What shows of the face may lie between its records, all of them behind mouldings.
     float least_from_behind = 0.5F;
     ShadingPoint best = point;

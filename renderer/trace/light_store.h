@@ -99,6 +99,8 @@ class LightStore {
   /// The grid of a triangle or parallelogram and the pages of its two sides.
   struct Face {
     RecordGrid grid;
+    /// Side of a record's cell.
+    float cell_m = 0.0F;
     ShareOfRays share_of_rays = ShareOfRays::kAll;
     uint32_t num_pages = 0;
     std::unique_ptr<std::atomic<Page*>[]> pages;

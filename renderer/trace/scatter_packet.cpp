@@ -16,6 +16,9 @@ constexpr float kInversePi = std::numbers::inv_pi_v<float>;
 /// Keeps spreads of cosines off zero where they are divided by.
 constexpr float kLeastSpread = 1e-9F;
 
+/// The same of cosines to normals that may lie beyond the horizon.
+constexpr float kLeastCosine = 1e-3F;
+
 /// Values of eight lanes that are written one by one and read as one.
 struct alignas(32) Lanes {
   std::array<float, kPacketSize> values{};
@@ -36,6 +39,14 @@ struct Lanes3 {
   Vec3x8 Vector() const { return {parts[0].Load(), parts[1].Load(), parts[2].Load()}; }
   Rgb8 Color() const { return {parts[0].Load(), parts[1].Load(), parts[2].Load()}; }
 };
+
+/// Walter et al. 2007, equation (34), in the form of Heitz 2014, "Understanding the
+/// Masking-Shadowing Function in Microfacet-Based BRDFs" (JCGT 3(2)), equation (72).
+Float8 SmithLambda(Float8 cosine, Float8 squared_alpha) {
+  const Float8 squared_cosine = cosine * cosine;
+  const Float8 squared_tangent = Max(1.0F - squared_cosine, 0.0F) / squared_cosine;
+  return 0.5F * (Sqrt(1.0F + squared_alpha * squared_tangent) - 1.0F);
+}
 
 Float8 Albedo(const SpecularAlbedo::Scales8& scales, Float8 f0, Float8 f90) {
   return f0 * scales.f0_scale + f90 * scales.f90_scale;
@@ -106,19 +117,24 @@ ScatterPacket::ScatterPacket(const std::array<ShadingPoint, kPacketSize>& points
   diffuse_ = (kInversePi / (1.0F - mean_albedo)) * diffuse_reflectance_;
   const Float8 f90_part = f90_ * scales.f90_scale;
   specular_reflectance_ = scales.f0_scale * f0_ + Rgb8{f90_part, f90_part, f90_part};
-  viewer_lambda_ = Lambda(viewer_cosine);
+  viewer_lambda_ = SmithLambda(viewer_cosine, alpha_ * alpha_);
+}
+
+Rgb8 ScatterPacket::SpecularForward() const {
+  const SpecularAlbedo::Scales8 scales = SpecularAlbedo::Table().Forward(viewer_cosine, roughness);
+  const Float8 f90_part = f90_ * scales.f90_scale;
+  return scales.f0_scale * f0_ + Rgb8{f90_part, f90_part, f90_part};
+}
+
+Vec3x8 ScatterPacket::Forward() const {
+  const Vec3x8 in_plane = viewer_cosine * normal - to_viewer;
+  return (1.0F / Sqrt(Max(Dot(in_plane, in_plane), kLeastSpread))) * in_plane;
 }
 
 Float8 ScatterPacket::DiffuseShare(Float8 cosine) const {
   return 1.0F - Albedo(SpecularAlbedo::Table().Directional(cosine, roughness),
                        dielectric_f0_,
                        dielectric_f90_);
-}
-
-Float8 ScatterPacket::Lambda(Float8 cosine) const {
-  const Float8 squared_cosine = cosine * cosine;
-  const Float8 squared_tangent = Max(1.0F - squared_cosine, 0.0F) / squared_cosine;
-  return 0.5F * (Sqrt(1.0F + alpha_ * alpha_ * squared_tangent) - 1.0F);
 }
 
 Float8 ScatterPacket::MeanCosine(const Vec3x8& to_light) const {
@@ -149,16 +165,27 @@ ScatterPacket::Specular ScatterPacket::EvaluateSpecular(const Vec3x8& to_light) 
   const Vec3x8 across = half - half_cosine * normal;
   const Float8 norm = Dot(across, across) / (alpha_ * alpha_) + half_cosine * half_cosine;
   const Float8 density = 1.0F / (kPi * alpha_ * alpha_ * norm * norm);
-  const Float8 common = density / (4.0F * viewer_cosine);
-  const Float8 masking = 1.0F / (1.0F + viewer_lambda_ + Lambda(light_cosine));
+  // Where normals spread, those that mirror lie between the mean and the half vector, by the shares
+  // that their slopes and the facets' have of the variance; what the viewer sees of them and how
+  // they mask each other goes by those.
+  const Float8 squared_alpha = alpha_ * alpha_;
+  const Float8 spread = Min(2.0F * Max(1.0F - normal_length, 0.0F), squared_alpha);
+  const Vec3x8 mirroring = Normalized(half_cosine * normal + (spread / squared_alpha) * across);
+  const Float8 own_squared_alpha =
+      Max(squared_alpha - spread, static_cast<float>(kMinAlpha * kMinAlpha));
+  const Float8 mirroring_viewer = Max(Dot(mirroring, to_viewer), kLeastCosine);
+  const Float8 mirroring_light = Max(Dot(mirroring, to_light), kLeastCosine);
+  const Float8 masking = 1.0F / (1.0F + SmithLambda(mirroring_viewer, own_squared_alpha) +
+                                 SmithLambda(mirroring_light, own_squared_alpha));
+  const Float8 value = density / (4.0F * mirroring_viewer) * masking;
   const Float8 complement = Max(1.0F - Dot(to_viewer, half), 0.0F);
   const Float8 squared = complement * complement;
   const Float8 weight = squared * squared * complement;
   const Rgb8 f90{f90_, f90_, f90_};
   const Rgb8 fresnel = f0_ + weight * (f90 - f0_);
   const Mask8 is_above = (light_cosine > 0.0F) & is_specular;
-  return {Select(is_above, (common * masking) * fresnel, Rgb8{}),
-          Select(is_above, common / (1.0F + viewer_lambda_), 0.0F)};
+  return {Select(is_above, value * fresnel, Rgb8{}),
+          Select(is_above, density / (4.0F * viewer_cosine * (1.0F + viewer_lambda_)), 0.0F)};
 }
 
 ScatterPacket::SpecularSample ScatterPacket::SampleSpecular(Float8 first, Float8 second) const {

@@ -22,6 +22,13 @@ class ScatterPacket {
   const Rgb8& DiffuseReflectance() const { return diffuse_reflectance_; }
   const Rgb8& SpecularReflectance() const { return specular_reflectance_; }
 
+  /// What the viewer gets by the specular lobe of a surrounding whose radiance is the component of
+  /// its direction along Forward().
+  Rgb8 SpecularForward() const;
+  /// Along the shading normal's plane, away from the viewer; zero where the viewer looks along the
+  /// normal.
+  Vec3x8 Forward() const;
+
   /// Mean over the normals under the footprint of their cosines to a direction, 0 where they turn
   /// away from it: rough walls in grazing light. The cosines are taken as evenly spread about their
   /// mean, with the variance that the mean normal's length tells, half of it along the light.
@@ -36,7 +43,7 @@ class ScatterPacket {
     /// SampleSpecular's density by solid angle.
     Float8 pdf;
   };
-  /// Zero below the surface.
+  /// Zero below the surface. Spread normals mirror each by itself: none masks another.
   Specular EvaluateSpecular(const Vec3x8& to_light) const;
 
   struct SpecularSample {
@@ -68,7 +75,6 @@ class ScatterPacket {
 
  private:
   Float8 DiffuseShare(Float8 cosine) const;
-  Float8 Lambda(Float8 cosine) const;
 
   /// Width of the GGX lobe.
   Float8 alpha_;

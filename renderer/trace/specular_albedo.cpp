@@ -17,13 +17,18 @@ constexpr int kLatticeGenerator = 377;
 
 using Scales = SpecularAlbedo::Scales;
 
-/// Mean of F G2 / G1 over visible normals, split into the parts of f0 and f90.
-Scales Integrate(double cosine, const Ggx& ggx) {
+struct LobeIntegrals {
+  Scales albedo;
+  Scales forward;
+};
+
+/// Means of F G2 / G1 over visible normals, split into the parts of f0 and f90.
+LobeIntegrals Integrate(double cosine, const Ggx& ggx) {
   // The limit at exactly grazing view is taken a little before it.
   const double z = std::max(cosine, 1e-4);
   const Vec3d to_viewer(std::sqrt(1.0 - z * z), 0.0, z);
   const double viewer_lambda = ggx.Lambda(to_viewer);
-  Scales sum;
+  LobeIntegrals sum;
   for (int i = 0; i < kNumLatticePoints; ++i) {
     const Vec2d sample(i + 0.5, i * kLatticeGenerator % kNumLatticePoints + 0.5);
     const Vec3d half = ggx.SampleVisibleNormal(to_viewer, sample / kNumLatticePoints);
@@ -32,12 +37,15 @@ Scales Integrate(double cosine, const Ggx& ggx) {
     if (to_light.z() <= 0.0) {
       continue;
     }
-    const double shadowing = (1.0 + viewer_lambda) / (1.0 + viewer_lambda + ggx.Lambda(to_light));
+    const double shadowing =
+        (1.0 + viewer_lambda) / (1.0 + viewer_lambda + ggx.Lambda(to_light)) / kNumLatticePoints;
     const double weight = SchlickWeight(viewer_half);
-    sum.f0_scale += shadowing * (1.0 - weight);
-    sum.f90_scale += shadowing * weight;
+    sum.albedo.f0_scale += shadowing * (1.0 - weight);
+    sum.albedo.f90_scale += shadowing * weight;
+    sum.forward.f0_scale -= shadowing * (1.0 - weight) * to_light.x();
+    sum.forward.f90_scale -= shadowing * weight * to_light.x();
   }
-  return {sum.f0_scale / kNumLatticePoints, sum.f90_scale / kNumLatticePoints};
+  return sum;
 }
 
 Scales Mix(const Scales& first, const Scales& second, double second_weight) {
@@ -90,16 +98,30 @@ SpecularAlbedo::Scales8 Mix(const SpecularAlbedo::Scales8& first,
           first.f90_scale + (second.f90_scale - first.f90_scale) * second_weight};
 }
 
+/// Of a table of directions for each roughness in turn.
+SpecularAlbedo::Scales8 Interpolated(const float* values, Float8 cosine, Float8 roughness) {
+  const Cell8 c(cosine, kNumCosines);
+  const Cell8 r(roughness, kNumRoughnesses);
+  const __m256i index =
+      _mm256_add_epi32(_mm256_mullo_epi32(r.index, _mm256_set1_epi32(kNumCosines)), c.index);
+  const float* next_row = values + ptrdiff_t{2} * kNumCosines;
+  return Mix(Mix(Entries(values, index), Entries(values + 2, index), c.weight),
+             Mix(Entries(next_row, index), Entries(next_row + 2, index), c.weight),
+             r.weight);
+}
+
 }  // namespace
 
 SpecularAlbedo::SpecularAlbedo()
     : directional_(kNumCosines * kNumRoughnesses), mean_(kNumRoughnesses) {
+  std::vector<Scales> forward(directional_.size());
   for (int r = 0; r < kNumRoughnesses; ++r) {
     const double roughness = static_cast<double>(r) / (kNumRoughnesses - 1);
     const Ggx ggx(roughness * roughness);
     for (int c = 0; c < kNumCosines; ++c) {
-      directional_[static_cast<size_t>(r * kNumCosines + c)] =
-          Integrate(static_cast<double>(c) / (kNumCosines - 1), ggx);
+      const LobeIntegrals integrals = Integrate(static_cast<double>(c) / (kNumCosines - 1), ggx);
+      directional_[static_cast<size_t>(r * kNumCosines + c)] = integrals.albedo;
+      forward[static_cast<size_t>(r * kNumCosines + c)] = integrals.forward;
     }
     // 2 * integral of albedo * cosine over the cosine: exact for the piecewise linear table.
     constexpr double kStep = 1.0 / (kNumCosines - 1);
@@ -116,6 +138,7 @@ SpecularAlbedo::SpecularAlbedo()
     }
   }
   directional_f_ = InTurn(directional_);
+  forward_f_ = InTurn(forward);
   mean_f_ = InTurn(mean_);
 }
 
@@ -140,15 +163,11 @@ Scales SpecularAlbedo::Mean(double roughness) const {
 }
 
 SpecularAlbedo::Scales8 SpecularAlbedo::Directional(Float8 cosine, Float8 roughness) const {
-  const Cell8 c(cosine, kNumCosines);
-  const Cell8 r(roughness, kNumRoughnesses);
-  const __m256i index =
-      _mm256_add_epi32(_mm256_mullo_epi32(r.index, _mm256_set1_epi32(kNumCosines)), c.index);
-  const float* row = directional_f_.data();
-  const float* next_row = row + ptrdiff_t{2} * kNumCosines;
-  return Mix(Mix(Entries(row, index), Entries(row + 2, index), c.weight),
-             Mix(Entries(next_row, index), Entries(next_row + 2, index), c.weight),
-             r.weight);
+  return Interpolated(directional_f_.data(), cosine, roughness);
+}
+
+SpecularAlbedo::Scales8 SpecularAlbedo::Forward(Float8 cosine, Float8 roughness) const {
+  return Interpolated(forward_f_.data(), cosine, roughness);
 }
 
 SpecularAlbedo::Scales8 SpecularAlbedo::Mean(Float8 roughness) const {

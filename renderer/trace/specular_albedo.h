@@ -39,11 +39,16 @@ class SpecularAlbedo {
   Scales8 Directional(Float8 cosine, Float8 roughness) const;
   Scales8 Mean(Float8 roughness) const;
 
+  /// Like Directional, but the surrounding's radiance is the component of its direction in the
+  /// surface, away from the viewer: in all how far forward the lobe leans.
+  Scales8 Forward(Float8 cosine, Float8 roughness) const;
+
  private:
   std::vector<Scales> directional_;
   std::vector<Scales> mean_;
   /// f0_scale and f90_scale of each entry in turn.
   std::vector<float> directional_f_;
+  std::vector<float> forward_f_;
   std::vector<float> mean_f_;
 };
 

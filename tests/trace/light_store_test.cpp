@@ -134,6 +134,25 @@ TEST(LightStore, GapsBetweenBodiesHaveLightOfTheirOwn) {
   }
 }
 
+TEST(LightStore, RecordsInACornerDoNotStandForTheirCell) {
+  // The outermost records lie 5 cm off the floor's edge, 2 mm off a step of 4 cm: they see half of
+  // the sky, the floor at its edge most of it.
+  Scene scene;
+  scene.materials = {LambertianMaterial(Rgb::Zero())};
+  scene.meshes = {FloorMesh(2.0F, 0)};
+  AddBox({-1.948F, -2.0F, -0.01F}, {0.4F, 4.0F, 0.05F}, 0, &scene.meshes);
+  StoredScene stored(Spacing(0.25F), std::move(scene));
+  for (const float x_m : {-1.99F, -1.975F}) {
+    const Vec3f origin_m(x_m, 0.1F, 0.02F);
+    const Vec3f down(0.0F, 0.0F, -1.0F);
+    ShadingPoint point =
+        stored.lit.surfaces.Locate(*stored.lit.rays.Intersect(origin_m, down), down);
+    point.position_m = {origin_m.x(), origin_m.y(), 0.0F};
+    const float truth = stored.lit.gatherer.Gather(point.RayOriginM(), -down, 1).light.z[1];
+    EXPECT_NEAR(stored.store.Lookup(point, LightDetail::kSeen).z[1], truth, 0.12F * truth) << x_m;
+  }
+}
+
 TEST(LightStore, SidesOfATriangleAreApart) {
   StoredScene stored(Spacing(0.5F));
   const VectorIrradiance front =
